@@ -2,6 +2,7 @@
 // odeum run with outputs and without, and its exit code.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "support/program.hpp"
@@ -55,6 +56,36 @@ TEST(RunOutputs, OfManyStepsTheTableHasTheShortestAndTheLongestOfGroups) {
   // Stable steps are at most 3.3/1e5: there are at least 60,000.
   EXPECT_GT(lines, 20'000) << run.output;
   EXPECT_LE(lines, 40'001) << run.output;
+}
+
+// trajectory.csv had the distance, and the other places that over the scale.
+TEST(RunOutputs, SayOneError) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "scaled.yaml",
+             "states: {x: 1000, v: 0}\nequations: {x: v, v: -x}\n"
+             "time: {end: 10, stops: [5, 10]}\n");
+  const std::string run = "cd '" + folder.path().string() +
+                          "' && odeum run scaled.yaml --solver dormand_prince54 --tol 1e-5 ";
+  const std::string text = shell(run + "--out out").output;
+  const double said = std::stod(text.substr(text.find("\nerror") + 8));
+  EXPECT_GT(said, 0) << text;
+  EXPECT_NE(text.find("\nerrors  at t = 10, of each state in its own unit: x "), std::string::npos)
+      << text;
+  // The last field of a solver's last row.
+  const auto last = [&](const char* file) {
+    const std::string row = shell("grep ',dormand_prince54,' '" +
+                                  (folder.path() / "out" / file).string() + "' | tail -n 1")
+                                .output;
+    return row.substr(0, row.size() - 1);
+  };
+  const std::string step = last("trajectory.csv");
+  EXPECT_NEAR(std::stod(step.substr(step.rfind(',') + 1)), said, 1e-5 * said) << step;
+  EXPECT_NE(last("solution.csv").find(",1000,v"), std::string::npos) << last("solution.csv");
+  const auto row =
+      nlohmann::json::parse(shell(run + "--format json 2>/dev/null").output)["runs"][0];
+  EXPECT_NEAR(row["error_max"], said, 1e-5 * said);
+  EXPECT_EQ(row["error_unit"], 1000);
+  EXPECT_TRUE(row["error_component"] == "x" || row["error_component"] == "v") << row;
 }
 
 // A run that ends ok with an error of hundreds of times the solution's size had exit code 0.

@@ -101,8 +101,9 @@ TEST(ShippedProblems, HaveTheFunctionsOfTheCompiledCases) {
 
 /// Its closed form or a computed one, never a reference file.
 cases::TextTruth truth_of(const formula::Problem& problem) {
-  return problem.exact.empty() ? cases::truth_of(std::make_shared<const TextOde>(problem))
-                               : cases::closed_form(problem);
+  return problem.exact.empty()
+             ? cases::truth_of(std::make_shared<const TextOde>(problem), {problem.scale})
+             : cases::closed_form(problem);
 }
 
 // The test set for initial value problem solvers (Bari) gives these, computed with RADAU5 to a

@@ -15,8 +15,8 @@ namespace odeum::truth_test {
 namespace {
 
 cases::TextTruth computed_truth(const std::string& text) {
-  return cases::truth_of(
-      std::make_shared<const formula::TextOde>(formula::read_problem("f", text)));
+  return cases::truth_of(std::make_shared<const formula::TextOde>(formula::read_problem("f", text)),
+                         {});
 }
 
 class ComputedTruth : public testing::TestWithParam<tests::TruthProblem> {};
@@ -25,7 +25,7 @@ TEST_P(ComputedTruth, ItsErrorIsBelowItsFloor) {
   const tests::TruthProblem& problem = GetParam();
   const auto ode =
       std::make_shared<const formula::TextOde>(formula::read_problem("f", problem.text));
-  const cases::TextTruth truth = cases::truth_of(ode);
+  const cases::TextTruth truth = cases::truth_of(ode, {});
   const auto exact = cases::extended_truth(problem.reference);
   ASSERT_FALSE(truth.stops.empty()) << truth.words;
   const std::size_t n = problem.states;
@@ -150,7 +150,7 @@ TEST(TruthStore, IsReadBackOrRefused) {
   truth::Reference r;
   r.times = {0.1, 2};
   r.states = {{1 / 3.0L, -2e-30L}, {4, 5}};
-  r.floors = {1e-17, 2e-16};
+  r.floors = {{1e-17, 3e-17}, {2e-16, 1e-15}};
   r.known_until = 2;
   r.ends_at = 3;
   r.methods = "two methods";
@@ -161,7 +161,7 @@ TEST(TruthStore, IsReadBackOrRefused) {
   EXPECT_EQ(read->states, r.states);
   EXPECT_EQ(read->floors, r.floors);
   EXPECT_EQ(read->ends_at, r.ends_at);
-  EXPECT_EQ(truth::from_text(truth::to_text({}), 2)->ends_at,
+  EXPECT_EQ(truth::from_text(truth::to_text(truth::Reference{}), 2)->ends_at,
             std::numeric_limits<double>::infinity());
   EXPECT_EQ(truth::to_text(*read), text);
   EXPECT_FALSE(truth::from_text(text, 3));

@@ -73,7 +73,7 @@ TEST(Amplification, IsThatOfTheToleranceAsked) {
   expect(to(1e-2), 1e4, 1);
   c.tolerance = Tolerance::of_thresholds(0, {1e-3, 1e-3});
   expect(judge::measure_amplification(c, c.stops), 1e-3, 1);
-  c.scale = {10, 10};
+  c.units.scale = {10, 10};
   expect(judge::measure_amplification(c, c.stops), 1e-3, 10);
 }
 
@@ -87,7 +87,7 @@ TEST(Amplification, IsUnknownWhereTheRunsMissTheTruth) {
   EXPECT_NE(found.unknown.find("from the truth"), std::string::npos) << found.unknown;
   const auto judged = judge::judge_answer({{.time = 4, .error_max = 1}}, found, 1e-6, 10, 0, 1);
   EXPECT_EQ(judged.answer, Answer::undetermined);
-  EXPECT_EQ(judged.reason, found.unknown);
+  EXPECT_EQ(judged.reason, "an error of the size of the solution, 1 at t = 4; " + found.unknown);
 }
 
 /// A rotation of 12,000 radians.

@@ -105,19 +105,5 @@ TEST(Remarks, SayWhatAnErrorAtTheEndHides) {
   EXPECT_NE(said[1].find("the equations keep "), std::string::npos) << said[1];
 }
 
-TEST(ProposedScale, IsThatOfTheReference) {
-  const Case c = of_text(enzyme);
-  EXPECT_EQ(c.scale, (std::vector<double>{1e-3, 1e-6, 1e-6, 1e-5}));
-  EXPECT_EQ(c.tolerance.threshold(1), 1e-6);
-  const auto stated = [](const std::string& more) { return of_text(enzyme + more).scale; };
-  EXPECT_EQ(stated("scale: {S: 1, E: 1, C: 1, P: 1}\n"), (std::vector<double>{1, 1, 1, 1}));
-  // That of the file is the unit of absolute tolerances as well.
-  const Case given = of_text(std::string(enzyme) + "scale: {S: 1e-2, E: 1e-5, C: 1e-5, P: 1e-4}\n");
-  EXPECT_EQ(given.tolerance.threshold(1), 1e-5);
-  EXPECT_TRUE(stated("tolerance: {relative: 1e-6, absolute: 1e-9}\n").empty());
-  // States near 1 stay in their own units.
-  EXPECT_TRUE(of_text("states: {y: 2}\nequations: {y: -y^2}\ntime: {end: 3}\n").scale.empty());
-}
-
 }  // namespace
 }  // namespace odeum::remarks_test

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "odeum/judge/errors.hpp"
 #include "odeum/studies/runner.hpp"
 #include "odeum/trajectories/solutions.hpp"
 
@@ -16,6 +17,15 @@ CaseRun run_of(const Case& c, const std::string& solver, std::uint64_t steps) {
   CaseRun run{.entrant = &study::find_solver(c.entrants, solver),
               .request = drawn_request(c, Mode::fixed, (end - c.t0) / static_cast<double>(steps),
                                        end, {.evaluations = 10'000, .seconds = 2}),
+              .outcome = {}};
+  run.outcome = run.entrant->solve(run.request);
+  return run;
+}
+
+CaseRun adaptive_run_of(const Case& c, const std::string& solver, double tolerance) {
+  CaseRun run{.entrant = &study::find_solver(c.entrants, solver),
+              .request = drawn_request(c, Mode::adaptive, tolerance, c.stops.back(),
+                                       {.evaluations = 10'000, .seconds = 2}),
               .outcome = {}};
   run.outcome = run.entrant->solve(run.request);
   return run;
@@ -133,6 +143,33 @@ TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
     // Half of a hundredth of a decade is 1.2 %.
     EXPECT_NEAR(std::pow(10, found[2][k].get<double>() / 100) / error, 1, 0.012);
   }
+}
+
+// The absolute tolerance was one for all components: another run than that of the row.
+TEST(PageSolutions, ACurveIsTheRunOfItsRow) {
+  const Case& c = study::find_case("robertson_40");
+  const CaseRun drawn = adaptive_run_of(c, "odeum/radau_iia5", 1e-6);
+  ASSERT_EQ(drawn.outcome.status, Status::ok);
+  Request alone{.mode = Mode::adaptive, .stops = {c.stops.back()}};
+  set_tolerance(alone, c, 1e-6);
+  const Outcome row = drawn.entrant->solve(alone);
+  const double* const end = drawn.outcome.states.data() + drawn.outcome.states.size() - 3;
+  const double curve_error = judge::error_at(c, c.stops.back(), end),
+               row_error = judge::error_at(c, c.stops.back(), row.states.data());
+  // Dense output ends on the state of the last step, which is shorter with an output there.
+  EXPECT_LT(std::abs(std::log10(curve_error / row_error)), 0.3);
+}
+
+// Two tolerances of one decade had one curve, that of the last.
+TEST(PageSolutions, EachToleranceHasItsCurve) {
+  const Case& c = study::find_case("kepler_e09");
+  Solutions solutions(c, c.stops.back(), exact_curve(c, {c.stops.back()}));
+  solutions.add(adaptive_run_of(c, "odeum/dormand_prince54", 1e-3));
+  solutions.add(adaptive_run_of(c, "odeum/dormand_prince54", 0.00042));
+  const auto json = solutions.json();
+  // Math.round(-1e6 * Math.log10(0.00042)), as the page computes it.
+  EXPECT_TRUE(json["runs"].contains("odeum/dormand_prince54:adaptive:3376751"));
+  EXPECT_TRUE(json["runs"].contains("odeum/dormand_prince54:adaptive:3000000"));
 }
 
 }  // namespace

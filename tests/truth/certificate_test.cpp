@@ -27,7 +27,9 @@ Certificate certificate_of(const std::string& text, const std::function<Real(Rea
     std::copy(values.begin(), values.end(), y);
     return true;
   };
-  return certify(problem, {problem.stops, at, floor}).value_or(Certificate{.why = "without arb"});
+  const std::vector<double> floors(problem.states.size(), floor);
+  return certify(problem, {problem.stops, at, floors, {}})
+      .value_or(Certificate{.why = "without arb"});
 }
 
 class CertificateOf : public testing::Test {

@@ -11,6 +11,7 @@
 #include "odeum/advise/answer_parts.hpp"
 #include "odeum/advise/no_answer.hpp"
 #include "odeum/core/machine.hpp"
+#include "odeum/judge/errors.hpp"
 #include "odeum/solvers/loaded.hpp"
 
 namespace odeum::advise {
@@ -179,8 +180,8 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
   std::string text = fmt::format(
       "{}{} {:.4g}: error {:.3g} (+- {:.1g}), {}, in {} ({} median of {}){}\n", text_of_part(c),
       name_of(winner), setting_of(found.request(), c.t0), found.state_error(), advice.floor,
-      c.scale.empty() ? "absolute" : "in the units of the scale", text_of_ns(winner.times.min()),
-      text_of_ns(winner.times.median()), winner.times.ns.size(), sureness(advice));
+      judge::unit_text(c), text_of_ns(winner.times.min()), text_of_ns(winner.times.median()),
+      winner.times.ns.size(), sureness(advice));
   if (advice.frames > 0)
     text +=
         fmt::format("frame     {:g} steps of it a frame, {}{}\n",

@@ -48,12 +48,12 @@ bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& wo
   }
   std::string why;
   std::optional<truth::Reference> reference =
-      truth::kept_or_computed("foreign, sampled " + given.content, c.y0.size(), c.stops, c.scale,
+      truth::kept_or_computed("foreign, sampled " + given.content, c.y0.size(), c.stops, c.units,
                               [&] { return truth::reference_of(given, why); });
   if (reference && !reference->times.empty()) {
     const std::string assumed = fmt::format("; assuming that nothing in it is shorter than {:.2g}",
                                             truth::shortest_seen * (c.stops.back() - c.t0));
-    const TextTruth known = truth_from(std::move(*reference), c.stops, c.scale, given.source);
+    const TextTruth known = truth_from(std::move(*reference), c.stops, c.units, given.source);
     c.truth = known.truth;
     c.truth.source += assumed;
     cut_stops(c, known.stops);
@@ -86,7 +86,7 @@ Case foreign_case(const std::shared_ptr<const Held>& held) {
   c.equation = given.equation;
   c.source = given.source;
   c.components = given.components;
-  c.scale = given.scale;
+  c.units.scale = given.scale;
   c.t0 = p.t0;
   c.y0.assign(p.y0, p.y0 + p.dimension);
   c.stops.assign(p.stops, p.stops + p.stop_count);

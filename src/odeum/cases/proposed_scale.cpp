@@ -2,6 +2,7 @@
 #include "odeum/cases/proposed_scale.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,56 +10,66 @@
 namespace odeum::cases {
 namespace {
 
-double power_above(double size) { return std::pow(10, std::ceil(std::log10(size) - 1e-9)); }
+/// To one digit, as it is written.
+double rounded(double size) { return std::stod(fmt::format("{:.0e}", size)); }
 
-std::vector<double> proposed_scale(const Case& c) {
-  std::vector<double> largest(c.y0.size()), state(c.y0.size());
-  const auto extend = [&](const std::vector<double>& y) {
-    for (std::size_t i = 0; i < y.size(); ++i) largest[i] = std::max(largest[i], std::abs(y[i]));
-  };
-  extend(c.y0);
-  bool known = false;
-  for (const double stop : c.stops)
-    if (c.truth.at(stop, state.data())) {
-      known = true;
-      extend(state);
-    }
-  const double of_all = *std::ranges::max_element(largest);
-  if (!known || !(of_all > 0) || !std::isfinite(of_all)) return {};
-  for (double& size : largest) {
-    // A state that is zero at all of these times has the size of the largest.
-    size = power_above(size > 0 ? size : of_all);
-    // The truth's own error is to be small in these units as well.
-    if (c.truth.floor > 0) size = std::max(size, power_above(1e8 * c.truth.floor));
-  }
-  const auto near_one = [](double size) { return size >= 0.01 && size <= 100; };
-  if (std::ranges::all_of(largest, near_one)) return {};
-  return largest;
+bool is_near_one(double size) { return size >= 0.01 && size <= 100; }
+
+/// Thousands of components have a long list.
+std::string listed(std::vector<std::string> parts) {
+  constexpr std::size_t few = 8;
+  const std::string more =
+      parts.size() > few ? fmt::format(", and {} more", parts.size() - few) : "";
+  parts.resize(std::min(few, parts.size()));
+  return fmt::format("{}{}", fmt::join(parts, ", "), more);
 }
 
 }  // namespace
 
-std::vector<double> take_proposed_scale(Case& c, double& floor) {
-  std::vector<double> scale = proposed_scale(c);
-  if (scale.empty()) return scale;
-  const double smallest = *std::ranges::min_element(scale);
-  c.truth.floor /= smallest;
-  floor /= smallest;
-  c.tolerance = Tolerance::of_thresholds(c.tolerance.relative, scale);
-  c.scale = scale;
-  return scale;
+ErrorUnits proposed_units(const truth::Along& along) {
+  const double of_all = *std::ranges::max_element(along.largest);
+  if (!(of_all > 0) || !std::isfinite(of_all)) return {};
+  ErrorUnits units;
+  for (const double size : along.largest) units.scale.push_back(rounded(size > 0 ? size : of_all));
+  const bool falls = std::ranges::any_of(along.dips, [](double dip) { return dip > 0; });
+  if (falls) {
+    units.relative_from = along.dips;
+    for (double& dip : units.relative_from)
+      if (dip > 0) dip = rounded(dip);
+  }
+  if (std::ranges::all_of(units.scale, is_near_one))
+    units.scale.assign(falls ? units.scale.size() : 0, 1);
+  return units;
 }
 
-std::pair<std::string, std::string> scale_fact(const std::vector<double>& scale,
+void take_units(Case& c, const ErrorUnits& units) {
+  if (units.scale.empty()) return;
+  std::vector<double> thresholds = units.scale;
+  for (std::size_t i = 0; i < thresholds.size(); ++i)
+    if (units.is_relative(i)) thresholds[i] = units.relative_from[i];
+  c.tolerance = Tolerance::of_thresholds(c.tolerance.relative, std::move(thresholds));
+  c.units = units;
+}
+
+std::pair<std::string, std::string> units_fact(const ErrorUnits& units,
                                                const std::vector<std::string>& states) {
-  constexpr std::size_t few = 8;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(few, scale.size()); ++i)
-    text += fmt::format("{}{} {:g}", i == 0 ? "" : ", ", states[i], scale[i]);
-  if (scale.size() > few) text += ", ...";
-  return {"scale", text +
-                       ": the units of errors and, times the relative one, of absolute "
-                       "tolerances; `scale:` in the file gives others"};
+  std::vector<std::string> scales, falling;
+  for (std::size_t i = 0; i < units.scale.size(); ++i)
+    if (units.is_relative(i))
+      falling.push_back(fmt::format("{} (from {:g})", states[i], units.relative_from[i]));
+    else
+      scales.push_back(fmt::format("{} {:g}", states[i], units.scale[i]));
+  std::string text = listed(scales);
+  if (!scales.empty())
+    text +=
+        ": the units of errors and, times the relative one, of absolute tolerances, by the largest "
+        "value along the solution";
+  if (!falling.empty())
+    text += fmt::format(
+        "{}{} rise{} tenfold from less than a thousandth of the largest value: there errors are "
+        "relative to the exact value, and tolerances to the value",
+        scales.empty() ? "" : "; ", listed(falling), falling.size() == 1 ? "s" : "");
+  return {"scale", text + "; `scale:` in the file gives others"};
 }
 
 }  // namespace odeum::cases

@@ -5,18 +5,23 @@
 #include <vector>
 
 #include "odeum/solvers/case.hpp"
+#include "odeum/truth/along.hpp"
 
 namespace odeum::cases {
 
-/// By component a power of ten that bounds it at the start and at the stops, which becomes the
-/// scale of the case, its truth and its tolerance; `floor`: another floor of the truth. Empty where
-/// all are near 1, or the truth is known at no stop. Where states are far from 1 errors and
-/// absolute tolerances are meant in such units: an absolute tolerance of 1e-6 controls nothing of a
-/// concentration of 1e-7.
-std::vector<double> take_proposed_scale(Case& c, double& floor);
+/// Units of a case whose text states none, by what its components are along the solution: of each
+/// its largest magnitude, rounded to one digit. A component that falls below a thousandth of that
+/// and rises again is measured by its value at each time. 1 for all where no size is far from 1,
+/// and none where nothing falls and rises besides. A component that is zero, or the rounding of
+/// others, has the size of the largest.
+ErrorUnits proposed_units(const truth::Along& along);
 
-/// What people read of it; `states`: the names of the components.
-std::pair<std::string, std::string> scale_fact(const std::vector<double>& scale,
+/// Makes them those of the case, and of its absolute tolerances: one of 1e-6 controls nothing of a
+/// concentration of 1e-7.
+void take_units(Case& c, const ErrorUnits& units);
+
+/// What people read of them; `states`: the names of the components.
+std::pair<std::string, std::string> units_fact(const ErrorUnits& units,
                                                const std::vector<std::string>& states);
 
 }  // namespace odeum::cases

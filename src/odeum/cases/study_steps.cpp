@@ -38,9 +38,10 @@ std::uint64_t enough_steps(const Case& c, const std::string& method, std::uint64
     for (std::size_t stop = 0; stop < c.stops.size(); ++stop) {
       if (!c.truth.at(c.stops[stop], exact.data())) return false;
       for (std::size_t i = 0; i < n; ++i) {
-        const double difference = (outcome.states[stop * n + i] - exact[i]) / c.scale_of(i);
+        const double unit = c.units.of(i, exact[i]);
+        const double difference = (outcome.states[stop * n + i] - exact[i]) / unit;
         error = std::max(error, std::abs(difference));  // a run that ended well is finite
-        size = std::max(size, std::abs(exact[i]) / c.scale_of(i));
+        size = std::max(size, std::abs(exact[i]) / unit);
       }
     }
     return error <= 0.02 * size;

@@ -43,7 +43,7 @@ class TextCase : CaseText {
     add_parameters();
     read_numbers();
     if (!has_name_of_column(problem_.states)) case_.components = problem_.states;
-    case_.scale = problem_.scale;
+    case_.units.scale = problem_.scale;
     set_problem();
     set_truth();
     if (!file_.folder.empty() && file_.computes_truth) prove_truth();
@@ -51,7 +51,8 @@ class TextCase : CaseText {
     choose_settings();
     case_.facts =
         text_facts(problem_, *analysis_, file_.printed ? nullptr : ode_.get(), truth_, case_);
-    if (!proposed_.empty()) case_.facts.push_back(scale_fact(proposed_, problem_.states));
+    if (problem_.scale.empty() && !case_.units.scale.empty())
+      case_.facts.push_back(units_fact(case_.units, problem_.states));
     return std::move(case_);
   }
 
@@ -168,17 +169,17 @@ class TextCase : CaseText {
       }
       return;
     }
-    if (problem_.exact.empty() && !(files.empty() && file_.computes_truth)) {
-      case_.truth = unknown_truth();
-      return;
-    }
     if (problem_.exact.empty()) {
+      case_.truth = unknown_truth();
+      if (!files.empty()) return;
+      look_along();
+      if (!file_.computes_truth) return;
       compute_truth();
     } else {
       truth_ = closed_form(problem_);
       case_.truth = truth_.truth;
     }
-    if (floor > 0) case_.truth.floor = floor;
+    if (floor > 0) case_.truth.floor = floor, case_.truth.floors.clear();
     std::vector<long double> y(case_.y0.size());
     for (const double stop : truth_.stops)
       if (truth_.extended(stop, y.data())) formula::require_invariants(problem_, stop, y.data());
@@ -192,8 +193,7 @@ class TextCase : CaseText {
   }
 
   void prove_truth() {
-    const formula::Problem& problem = ode_ ? ode_->problem() : problem_;
-    const std::string proof = proof_of(problem, *analysis_, case_.truth, case_.stops);
+    const std::string proof = proof_of(ode_ ? ode_->problem() : problem_, *analysis_, case_);
     if (proof.empty()) return;
     case_.truth.source += "; " + proof;
     if (!truth_.words.empty()) truth_.words += "; " + proof;
@@ -207,15 +207,20 @@ class TextCase : CaseText {
     }
   }
 
-  void compute_truth() {
+  /// Before the truth is computed, so that runs need not wait for it.
+  void look_along() {
     require_code();
-    truth_ = truth_of(ode_);
+    along_ = along_of(ode_);
+    const bool stated = problem_.tolerance.relative > 0 || has("thresholds");
+    if (along_ && problem_.scale.empty() && !stated) take_units(case_, proposed_units(*along_));
+  }
+
+  void compute_truth() {
+    truth_ = truth_of(ode_, case_.units, along_);
     case_.truth = truth_.truth;
     std::vector<double> known = truth_.stops;
     std::erase_if(known, [&](double stop) { return stop > case_.stops.back(); });
     cut_stops(case_, known);
-    if (problem_.scale.empty() && problem_.tolerance.relative == 0 && !has("thresholds"))
-      proposed_ = take_proposed_scale(case_, truth_.extended_floor);
   }
 
   /// Leaves those that `invariants` names.
@@ -242,7 +247,7 @@ class TextCase : CaseText {
   std::shared_ptr<const TextOde> ode_;
   std::shared_ptr<const formula::Analysis> analysis_;
   TextTruth truth_;
-  std::vector<double> proposed_;  ///< a scale; empty: none
+  std::shared_ptr<const truth::Along> along_;  ///< null: not known
   Case case_;
 };
 

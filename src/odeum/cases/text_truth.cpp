@@ -89,7 +89,7 @@ TextTruth closed_form(const formula::Problem& problem) {
 }
 
 TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
-                     const std::vector<double>& scale, const std::string& what) {
+                     const ErrorUnits& units, const std::string& what) {
   const auto reference = std::make_shared<const truth::Reference>(std::move(computed));
   const std::size_t n = reference->states.empty() ? 0 : reference->states.front().size();
   TextTruth result;
@@ -98,15 +98,18 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
     if (place_of(*reference, stop) < reference->times.size()) result.stops.push_back(stop);
   if (result.stops.empty() && !reference->times.empty())
     result.stops.push_back(reference->times.back());
-  Real largest = 0;
+  result.truth.floors.assign(n, 0);
   for (std::size_t k = 0; k < reference->times.size(); ++k) {
     if (!result.stops.empty() && reference->times[k] > result.stops.back()) break;
-    result.extended_floor = std::max(result.extended_floor, reference->floors[k]);
-    for (std::size_t i = 0; i < n; ++i)
-      largest =
-          std::max(largest, std::abs(reference->states[k][i]) / (scale.empty() ? 1 : scale[i]));
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto size = static_cast<double>(std::abs(reference->states[k][i]));
+      const double floor = reference->floors[k][i], rounded = floor + 0x1p-53 * size,
+                   unit = units.of(i, size);
+      result.extended_floor = std::max(result.extended_floor, floor / unit);
+      result.truth.floors[i] = std::max(result.truth.floors[i], rounded);
+      result.truth.floor = std::max(result.truth.floor, rounded / unit);
+    }
   }
-  result.truth.floor = result.extended_floor + static_cast<double>(0x1p-53L * largest);
   result.extended = [reference](double t, long double* y) {
     const std::size_t k = place_of(*reference, t);
     if (k == reference->times.size()) return false;
@@ -141,30 +144,55 @@ void cut_stops(Case& c, const std::vector<double>& known) {
   c.stops = known;
 }
 
-TextTruth truth_of(const std::shared_ptr<const TextOde>& ode) {
+std::shared_ptr<const truth::Along> along_of(const std::shared_ptr<const TextOde>& ode) {
   const formula::Problem& problem = ode->problem();
-  return truth_from(
-      *truth::kept_or_computed(
-          content_of(problem, ode->analysis()), ode->size(), problem.stops, problem.scale,
-          [&] {
-            return truth::compute_reference(truth::system_of(ode), problem.stops, problem.scale);
-          }),
-      problem.stops, problem.scale, problem.file);
+  const std::string name =
+      formula::content_key(fmt::format("{}\n{}\n{}", content_of(problem, ode->analysis()),
+                                       build::truth_code, fmt::join(problem.stops, " "))) +
+      ".along";
+  std::optional<truth::Along> along;
+  if (const auto text = formula::kept_text(name)) along = truth::along_from(*text, ode->size());
+  if (!along) {
+    along = truth::look_along(truth::system_of(ode), problem.stops);
+    if (along) formula::keep_text(name, to_text(*along));
+  }
+  return along ? std::make_shared<const truth::Along>(*std::move(along)) : nullptr;
+}
+
+TextTruth truth_of(const std::shared_ptr<const TextOde>& ode, const ErrorUnits& units,
+                   const std::shared_ptr<const truth::Along>& along) {
+  const formula::Problem& problem = ode->problem();
+  const auto compute = [&] {
+    truth::System system = truth::system_of(ode);
+    system.along = along;
+    return truth::compute_reference(system, problem.stops, units);
+  };
+  TextTruth result =
+      truth_from(*truth::kept_or_computed(content_of(problem, ode->analysis()), ode->size(),
+                                          problem.stops, units, compute),
+                 problem.stops, units, problem.file);
+  if (along) {
+    result.truth.largest = along->largest;
+    result.truth.lowest = along->lowest;
+  }
+  return result;
 }
 
 std::string proof_of(const formula::Problem& problem, const formula::Analysis& analysis,
-                     const Truth& truth, const std::vector<double>& stops) {
+                     const Case& c) {
+  truth::Claim claim{.times = c.stops, .at = c.truth.at, .floors = {}, .units = c.units};
+  for (std::size_t i = 0; i < problem.states.size(); ++i) claim.floors.push_back(c.floor_of(i));
   std::string content = content_of(problem, analysis);
   std::vector<double> y(problem.states.size());
-  fmt::format_to(std::back_inserter(content), "\n{}\n{} {}", build::truth_code, truth.floor,
-                 fmt::join(problem.scale, " "));
-  for (const double stop : stops)
-    if (truth.at(stop, y.data()))
+  fmt::format_to(std::back_inserter(content), "\n{}\n{} {} {}", build::truth_code,
+                 fmt::join(claim.floors, " "), fmt::join(c.units.scale, " "),
+                 fmt::join(c.units.relative_from, " "));
+  for (const double stop : claim.times)
+    if (claim.at(stop, y.data()))
       fmt::format_to(std::back_inserter(content), "\n{} {}", stop, fmt::join(y, " "));
   const std::string name = formula::content_key(content) + ".proof";
   if (const auto kept = formula::kept_text(name)) return *kept;
-  const auto certificate =
-      truth::certify(problem, {.times = stops, .at = truth.at, .floor = truth.floor});
+  const auto certificate = truth::certify(problem, claim);
   if (!certificate) return "";
   std::string text = to_text(*certificate);
   formula::keep_text(name, text);
@@ -180,8 +208,7 @@ std::string with_proof(const Case& c) {
     if (static_cast<double>(usual.at(name)) != value)
       source.set[name] = fmt::format("{:.21g}", value);
   CaseText now(source);
-  const std::string proof =
-      proof_of(now.problem(), formula::analyse(now.problem()), c.truth, c.stops);
+  const std::string proof = proof_of(now.problem(), formula::analyse(now.problem()), c);
   return c.truth.source + (proof.empty() ? "" : "; ") + proof;
 }
 

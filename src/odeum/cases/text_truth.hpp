@@ -5,7 +5,7 @@
 
 #include "odeum/formula/text_ode.hpp"
 #include "odeum/solvers/case.hpp"
-#include "odeum/truth/system.hpp"
+#include "odeum/truth/along.hpp"
 
 namespace odeum::cases {
 
@@ -23,7 +23,7 @@ struct TextTruth {
 
 /// A computed reference as truth of `what`.
 TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
-                     const std::vector<double>& scale, const std::string& what);
+                     const ErrorUnits& units, const std::string& what);
 
 /// Leaves those stops of a case at which its truth is known, if there are any; `asked_end` keeps
 /// where it was to end.
@@ -31,12 +31,17 @@ void cut_stops(Case& c, const std::vector<double>& known);
 
 /// The truth of a problem with a closed form; `extended` too.
 TextTruth closed_form(const formula::Problem& problem);
-/// A computed one, at the problem's stops as far as it is known.
-TextTruth truth_of(const std::shared_ptr<const formula::TextOde>& ode);
+/// What its components are along its solution, see truth::look_along; kept in the cache folder.
+/// Null where that is not known.
+std::shared_ptr<const truth::Along> along_of(const std::shared_ptr<const formula::TextOde>& ode);
+/// A computed one, at the problem's stops as far as it is known. `along`: null where that is not
+/// known.
+TextTruth truth_of(const std::shared_ptr<const formula::TextOde>& ode, const ErrorUnits& units = {},
+                   const std::shared_ptr<const truth::Along>& along = nullptr);
 
-/// Whether a truth of the problem is proved at the stops, as truth::to_text says it; kept in the
-/// cache folder. Empty where Odeum was built without what proves it.
+/// Whether the truth of a case of the problem is proved at its stops, as truth::to_text says it;
+/// kept in the cache folder. Empty where Odeum was built without what proves it.
 std::string proof_of(const formula::Problem& problem, const formula::Analysis& analysis,
-                     const Truth& truth, const std::vector<double>& stops);
+                     const Case& c);
 
 }  // namespace odeum::cases

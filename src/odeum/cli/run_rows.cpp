@@ -2,9 +2,11 @@
 #include "odeum/cli/run_rows.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "odeum/judge/errors.hpp"
 #include "odeum/judge/remarks.hpp"
@@ -25,6 +27,38 @@ judge::StopError largest_of(const std::vector<judge::StopError>& errors) {
   return all;
 }
 
+/// The run's state at a stop.
+const double* state_at(const Case& c, const trajectories::CaseRun& run, double time) {
+  const auto stop = std::ranges::find(run.request.stops, time) - run.request.stops.begin();
+  return run.outcome.states.data() + static_cast<std::size_t>(stop) * c.y0.size();
+}
+
+/// Of each component in its own unit, beside its value; of many those with the largest errors in
+/// the units of the case.
+std::string errors_by_state(const Case& c, const trajectories::CaseRun& run, double time) {
+  constexpr std::size_t few = 8;
+  std::vector<double> exact(c.y0.size());
+  if (!c.truth.at(time, exact.data())) return "";
+  const double* const y = state_at(c, run, time);
+  const auto in_units = [&](std::size_t i) {
+    return std::abs(y[i] - exact[i]) / c.units.of(i, exact[i]);
+  };
+  std::vector<std::size_t> shown = judge::measured_components(c);
+  const std::string more =
+      shown.size() > few ? fmt::format("; {} others are nearer", shown.size() - few) : "";
+  if (shown.size() > few) {
+    std::ranges::partial_sort(shown, shown.begin() + few, std::greater(), in_units);
+    shown.resize(few);
+  }
+  const std::vector<std::string> names = component_names(c);
+  std::vector<std::string> parts;
+  for (const std::size_t i : shown)
+    parts.push_back(
+        fmt::format("{} {:.3g} of {:.6g}", names[i], std::abs(y[i] - exact[i]), exact[i]));
+  return fmt::format("errors  at t = {:.6g}, of each state in its own unit: {}{}\n", time,
+                     fmt::join(parts, ", "), more);
+}
+
 std::string error_and_answer(const Case& c, const trajectories::CaseRun& run,
                              const RunError& last) {
   const double end = run.request.stops.back();
@@ -36,8 +70,9 @@ std::string error_and_answer(const Case& c, const trajectories::CaseRun& run,
     text += fmt::format("at {} stops to t = {}, ", run.request.stops.size(), last.time);
   else if (last.time < end)
     text += fmt::format("at t = {}; no truth is known from there to t = {}; ", last.time, end);
-  if (!c.scale.empty()) text += "in the units of the scale, ";
+  if (!c.units.scale.empty()) text += judge::unit_text(c) + ", ";
   text += fmt::format("against {}\n", c.truth.source);
+  if (!c.units.scale.empty()) text += errors_by_state(c, run, last.time);
   const judge::JudgedAnswer& judged = last.judged;
   if (judged.answer == judge::Answer::not_applicable) return text;
   text += fmt::format("answer  {}", to_string(judged.answer));
@@ -65,8 +100,18 @@ RunError error_of(const Case& c, const trajectories::CaseRun& run) {
   for (const judge::StopError& error : errors) stops.push_back(error.time);
   const bool fixed = request.mode == Mode::fixed;
   const double floor = stops.back() > c.stops.back() ? c.timed_floor() : c.truth.floor;
+  const judge::StopError& worst =
+      *std::ranges::max_element(errors, [](const auto& a, const auto& b) {
+        return a.error_max < b.error_max || (std::isnan(a.error_max) && !std::isnan(b.error_max));
+      });
+  std::vector<double> exact(c.y0.size());
+  c.truth.at(worst.time, exact.data());
+  const std::size_t component =
+      judge::worst_component(c, state_at(c, run, worst.time), exact.data());
   return {
       .known = true,
+      .component = component_names(c)[component],
+      .unit = c.units.of(component, exact[component]),
       .time = stops.back(),
       .error = largest_of(errors),
       .floor = floor,
@@ -115,6 +160,8 @@ RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs,
                         .counters = run.outcome.counters,
                         .reached = reached > 0 ? run.request.stops[reached - 1] : c.t0,
                         .error_time = last.time,
+                        .error_component = last.component,
+                        .error_unit = last.unit,
                         .error_max = last.known ? last.error.error_max : nan,
                         .error_rms = last.known ? last.error.error_rms : nan,
                         .floor = last.known ? last.floor : c.truth.floor,

@@ -22,7 +22,10 @@ struct RunRow {
   double reached = nan;  ///< the last time whose state was recorded
   /// At `error_time`, the last output at which the truth is known; nan: at none. Of a run whose
   /// steps end on several stops the largest at them.
-  double error_time = nan, error_max = nan, error_rms = nan, floor = nan;
+  /// `error_max` times `error_unit` is the error of `error_component` in its own unit.
+  double error_time = nan;
+  std::string error_component;
+  double error_unit = nan, error_max = nan, error_rms = nan, floor = nan;
   judge::JudgedAnswer judged;
   std::string truth;
 
@@ -30,8 +33,8 @@ struct RunRow {
   ODEUM_COLUMNS(case_id, library, solver, mode, step, tolerance, end, status, detail, reached,
                 counters.steps, column("rejected", counters.rejected_steps),
                 column("evaluations", counters.rhs_evaluations),
-                column("jacobians", counters.jacobian_evaluations), error_time, error_max,
-                error_rms, floor, judged, truth)
+                column("jacobians", counters.jacobian_evaluations), error_time, error_component,
+                error_unit, error_max, error_rms, floor, judged, truth)
 };
 struct RunRows {
   std::vector<RunRow> rows;
@@ -41,7 +44,9 @@ struct RunRows {
 /// The error of a run at the last stop at which the truth is known; of a run whose steps end on
 /// several stops the largest at them.
 struct RunError {
-  bool known = false;  ///< nothing else is without it, as of a run that did not end ok
+  bool known = false;     ///< nothing else is without it, as of a run that did not end ok
+  std::string component;  ///< whose error is the largest
+  double unit = nan;      ///< of that component there, see ErrorUnits
   double time = nan;
   judge::StopError error;
   double floor = nan;

@@ -120,7 +120,7 @@ void by_all_columns(const Case& c, Flow& flow, const std::vector<double>& stops,
     const std::size_t at = path.index_of(stops[stop]);
     for (const std::size_t component : measured_components(c)) {
       States row(c.y0.size(), 0);  // of Phi(stop, t), back from the stop
-      row[component] = 1 / c.scale_of(component);
+      row[component] = 1 / c.units.of(component, path.states[at][component]);
       double& largest = result.at_stops[stop];
       largest = std::max(largest, effect(row, units[at]));
       for (std::size_t k = at; k-- > 0;) {
@@ -139,6 +139,9 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
   const Path path = path_of(c, flow, stops, random_times);
   require_truth(c, stops, path);
   const std::vector<std::size_t> measured = measured_components(c);
+  const auto unit_at = [&](std::size_t stop, std::size_t i) {
+    return c.units.of(i, path.states[path.index_of(stops[stop])][i]);
+  };
   std::mt19937 random(1);
   result.directions = random_directions;
   for (std::size_t k = 0; k + 1 < path.times.size(); ++k) {
@@ -166,14 +169,14 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
     for (std::size_t s = 0; s < later.size(); ++s) {
       const auto stop = static_cast<std::size_t>(first - stops.begin()) + s;
       for (const std::size_t i : measured)
-        result.at_stops[stop] =
-            std::max(result.at_stops[stop], root * std::sqrt(squares[s * n + i]) / c.scale_of(i));
+        result.at_stops[stop] = std::max(result.at_stops[stop],
+                                         root * std::sqrt(squares[s * n + i]) / unit_at(stop, i));
     }
   }
   for (std::size_t stop = 0; stop < stops.size(); ++stop)
     for (const std::size_t i : measured)  // an error of the last step
       result.at_stops[stop] =
-          std::max(result.at_stops[stop], root * asked.threshold(i) / c.scale_of(i));
+          std::max(result.at_stops[stop], root * asked.threshold(i) / unit_at(stop, i));
 }
 
 std::vector<Control> controls(const Case& c, const Flow& flow, const std::vector<double>& stops,

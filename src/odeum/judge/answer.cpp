@@ -23,8 +23,18 @@ std::optional<JudgedAnswer> past_the_end(const std::vector<StopError>& errors) {
   return std::nullopt;
 }
 
-/// Of the solution's size.
-constexpr double most_of_size = 10;
+/// Of the solution's size: a run that is no solution, and one with hardly a digit.
+constexpr double most_of_size = 10, useless = 0.1;
+
+/// Says it of the largest error, before a semicolon; empty where digits are left.
+std::string no_digit_left(const std::vector<StopError>& errors, double scale) {
+  const StopError* worst = nullptr;
+  for (const StopError& error : errors)
+    if (error.error_max > (worst ? worst->error_max : useless * scale)) worst = &error;
+  if (!worst) return "";
+  return fmt::format("an error of the size of the solution, {:.2g} at t = {}; ", worst->error_max,
+                     worst->time);
+}
 
 }  // namespace
 
@@ -60,7 +70,8 @@ JudgedAnswer judge_answer(const std::vector<StopError>& errors, const Amplificat
                           double tolerance, double steps, double floor, double scale) {
   if (const auto wrong = past_the_end(errors)) return *wrong;
   if (!amplification.unknown.empty())
-    return {.answer = Answer::undetermined, .reason = amplification.unknown};
+    return {.answer = Answer::undetermined,
+            .reason = no_digit_left(errors, scale) + amplification.unknown};
   JudgedAnswer judged{.answer = Answer::undetermined, .reason = {}};
   double worst = -1;
   std::size_t at = 0;
@@ -83,9 +94,8 @@ JudgedAnswer judge_answer(const std::vector<StopError>& errors, const Amplificat
   if (worst > 1)
     judged.reason = fmt::format("the run ended ok with an error of {:.2g} at t = {}; {}",
                                 errors[at].error_max, errors[at].time, what);
-  else if (errors[at].error_max > 0.1 * scale)
-    judged.reason = fmt::format("an error of the size of the solution, {:.2g} at t = {}; {}",
-                                errors[at].error_max, errors[at].time, what);
+  else if (const std::string lost = no_digit_left({errors[at]}, scale); !lost.empty())
+    judged.reason = lost + what;
   return judged;
 }
 

@@ -10,6 +10,14 @@
 
 namespace odeum::judge {
 
+namespace {
+
+double error_of_component(const Case& c, std::size_t i, const double* y, const double* exact) {
+  return std::abs(y[i] - exact[i]) / c.units.of(i, exact[i]);
+}
+
+}  // namespace
+
 std::vector<std::size_t> measured_components(const Case& c) {
   std::vector<std::size_t> measured = c.measured;
   if (measured.empty()) {
@@ -24,12 +32,13 @@ Judge::Judge(const Case& c, std::vector<double> stops)
   const auto extend_scale = [&](const double* y) {
     double squares = 0;
     for (const std::size_t i : measured_) {
-      const double size = y[i] / c.scale_of(i);
+      const double size = y[i] / c.units.of(i, y[i]);
       squares += size * size;
     }
     scale_ = std::max(scale_, std::sqrt(squares / static_cast<double>(measured_.size())));
   };
   extend_scale(c.y0.data());
+  if (!c.truth.largest.empty()) extend_scale(c.truth.largest.data());
   for (std::size_t k = 0; k < stops_.size(); ++k) {
     std::vector<double> exact(c.y0.size());
     if (!c.truth.at(stops_[k], exact.data())) continue;
@@ -56,10 +65,10 @@ std::vector<StopError> Judge::errors(const Outcome& outcome) const {
     } else {
       double squares = 0;
       for (const std::size_t i : measured_) {
-        const double difference = std::abs(y[i] - truth_[k][i]) / case_.scale_of(i);
-        error.error_max = std::max(error.error_max, difference);
+        const double difference = error_of_component(case_, i, y, truth_[k].data());
         squares += difference * difference;
       }
+      error.error_max = error_of(case_, y, truth_[k].data());
       error.error_rms = std::sqrt(squares / static_cast<double>(measured_.size()));
       error.energy_error =
           case_.energy ? std::abs(error.energy - case_.energy(truth_[k].data())) / energy_scale_
@@ -68,6 +77,29 @@ std::vector<StopError> Judge::errors(const Outcome& outcome) const {
     errors.push_back(error);
   }
   return errors;
+}
+
+std::size_t worst_component(const Case& c, const double* y, const double* exact) {
+  std::size_t worst = c.measured.empty() ? 0 : c.measured.front();
+  double largest = 0;
+  const auto take = [&](std::size_t i) {
+    const double error = error_of_component(c, i, y, exact);
+    if (error <= largest || std::isnan(largest)) return;
+    largest = error;
+    worst = i;
+  };
+  if (c.measured.empty())
+    for (std::size_t i = 0; i < c.y0.size(); ++i) take(i);
+  for (const std::size_t i : c.measured) take(i);
+  return worst;
+}
+
+double error_of(const Case& c, const double* y, const double* exact) {
+  return error_of_component(c, worst_component(c, y, exact), y, exact);
+}
+
+std::string unit_text(const Case& c) {
+  return c.units.scale.empty() ? "absolute" : "in the units of the scale";
 }
 
 double error_at(const Case& c, double time, const double* state) {

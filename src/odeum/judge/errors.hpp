@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <string>
 #include <vector>
 
 #include "odeum/solvers/case.hpp"
@@ -9,7 +10,7 @@ namespace odeum::judge {
 /// The error of a solve at one stop.
 struct StopError {
   double time = 0;
-  double error_max = 0;     ///< largest |error| of a measured component
+  double error_max = 0;     ///< largest |error| of a measured component, in its unit
   double error_rms = 0;     ///< root mean square over the measured components
   double energy = 0;        ///< NaN where the case has none
   double energy_error = 0;  ///< |E - E_truth| / largest |E_truth| over the stops
@@ -18,7 +19,16 @@ struct StopError {
 /// The components whose error is measured: those that the case names, or all.
 std::vector<std::size_t> measured_components(const Case& c);
 
-/// The largest error of a component of the state at a time; see Judge.
+/// An error, as every study, command and file of Odeum has it: |y_i - exact_i| over the unit of the
+/// component i (ErrorUnits), which is 1, the scale of the component, or, of one that falls and
+/// rises again, its exact value at that time. Of a state it is the largest of the measured
+/// components.
+double error_of(const Case& c, const double* y, const double* exact);
+/// Which component has it, or is the first of several.
+std::size_t worst_component(const Case& c, const double* y, const double* exact);
+/// For people: `absolute`, or which units errors are in.
+std::string unit_text(const Case& c);
+/// That of the state at a time; NaN where the truth is not known, infinite past its end.
 double error_at(const Case& c, double time, const double* state);
 
 /// Compares solves of one case with its truth, which is evaluated once.
@@ -31,7 +41,8 @@ class Judge {
   /// One entry a stop; the outcome must have reached all of them.
   std::vector<StopError> errors(const Outcome& outcome) const;
 
-  /// Root mean square of the components measured where that is largest: at the start or at a stop.
+  /// Root mean square of the components measured, in their units, where that is largest: at the
+  /// start, at a stop, or by the largest of each along the solution.
   double scale() const { return scale_; }
   /// Whether the solution ends before the last stop, so that no state there is right.
   bool solution_ends() const { return ends_; }

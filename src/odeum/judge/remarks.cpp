@@ -15,6 +15,7 @@ namespace odeum::judge {
 namespace {
 
 constexpr std::size_t most_unknowns = 64, most_named = 5;
+constexpr int samples = 200;  // of a closed form
 
 /// Slopes at random states in units of the scale, one a row, its largest 1; fewer rows where slopes
 /// are zero or not finite.
@@ -119,6 +120,9 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
   std::vector<std::string> uncontrolled, negative;
   std::vector<double> largest(n), exact(n), lowest(n), lowest_exact(n);
   for (std::size_t i = 0; i < n; ++i) largest[i] = std::abs(c.y0[i]);
+  // Between the stops, as far as that is known.
+  if (!c.truth.largest.empty()) largest = c.truth.largest;
+  if (!c.truth.lowest.empty()) lowest_exact = c.truth.lowest;
   const auto take_truth_at = [&](double stop) {
     if (!c.truth.at || !c.truth.at(stop, exact.data())) return false;
     for (std::size_t i = 0; i < n; ++i) {
@@ -135,15 +139,18 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
     for (std::size_t i = 0; i < n; ++i) lowest[i] = std::min(lowest[i], y[i]);
   }
   if (!known) return all;
+  const double until = request.stops[stops - 1];
   for (const double stop : c.stops)  // and between those of the run
-    if (stop <= request.stops[stops - 1]) take_truth_at(stop);
+    if (stop <= until) take_truth_at(stop);
+  if (c.truth.closed_form)
+    for (int k = 1; k < samples; ++k) take_truth_at(c.t0 + (until - c.t0) * k / samples);
   for (std::size_t i = 0; i < n; ++i) {
     // Of a component that is zero throughout, zero is the value.
     if (request.mode == Mode::adaptive && largest[i] > 0 &&
         largest[i] < request.tolerance.absolute(i))
       uncontrolled.push_back(names[i]);
     // Rounding and the truth's own error are no fault.
-    const double meant = 1e-12 * largest[i] + 10 * c.truth.floor * c.scale_of(i);
+    const double meant = 1e-12 * largest[i] + 10 * c.floor_of(i);
     if (c.y0[i] >= 0 && lowest_exact[i] >= -meant && lowest[i] < -meant)
       negative.push_back(fmt::format("{} ({:.2g})", names[i], lowest[i]));
   }

@@ -12,8 +12,8 @@ namespace odeum::judge {
 std::vector<std::vector<double>> linear_invariants(const Case& c);
 
 /// What a run that ended `ok` shows of faults that an error at the end may hide, in sentences:
-/// states that never reach their absolute tolerance, states below zero where the solution is not,
-/// and sums that the equations keep and the run does not.
+/// states that never reach their absolute tolerance along the solution, states below zero where the
+/// solution is not, and sums that the equations keep and the run does not.
 std::vector<std::string> remarks(const Case& c, const Request& request, const Outcome& outcome);
 
 }  // namespace odeum::judge

@@ -62,7 +62,8 @@ double perturbation_gain(const Case& c) {
     for (std::size_t stop = 0; stop < c.stops.size(); ++stop)
       for (const std::size_t i : measured) {
         const std::size_t at = stop * c.y0.size() + i;
-        squares += std::pow((moved.states[at] - plain.states[at]) / c.scale_of(i), 2);
+        const double unit = c.units.of(i, plain.states[at]);
+        squares += std::pow((moved.states[at] - plain.states[at]) / unit, 2);
       }
   }
   const auto errors = static_cast<double>(runs * c.stops.size() * measured.size());

@@ -23,7 +23,8 @@ ordered_json number(double value) {
 
 CaseFacts facts_of(const Case& c) {
   double scale = 0;
-  for (const double value : c.y0) scale = std::max(scale, std::abs(value));
+  for (std::size_t i = 0; i < c.y0.size(); ++i)
+    scale = std::max(scale, std::abs(c.y0[i]) / c.units.of(i, c.y0[i]));
   cases::Spectrum spectrum = cases::spectrum_of(c);
   const auto linear = cases::linear_form(c);
   return {.id = c.id,
@@ -31,7 +32,7 @@ CaseFacts facts_of(const Case& c) {
           .equation = c.equation,
           .source = c.source,
           .truth = cases::with_proof(c),
-          .scaled = !c.scale.empty(),
+          .scaled = !c.units.scale.empty(),
           .unit = c.problem.scene ? "s" : "",
           .truth_floor = c.truth.floor,
           .timed_floor = c.timed_floor(),

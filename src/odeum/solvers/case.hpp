@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "odeum/core/error_units.hpp"
 #include "odeum/core/request.hpp"
 #include "odeum/solvers/entrants.hpp"
 
@@ -19,10 +20,14 @@ namespace odeum {
 struct Truth {
   /// Fills the state at t, infinite past the end of the solution (a pole); false: not known.
   std::function<bool(double t, double* y)> at;
-  double floor = 0;    ///< absolute error of the truth itself
-  std::string source;  ///< closed form, or the reference file
+  double floor = 0;  ///< largest error of the truth itself, in the units of the case's errors
+  std::vector<double> floors;  ///< by component, in its own unit; empty: see Case::floor_of
+  std::string source;          ///< closed form, or the reference file
   /// It is a closed form, which follows other values of the parameters.
   bool closed_form = false;
+  /// By component, its largest magnitude and its lowest value from the start to the last stop;
+  /// empty: not known.
+  std::vector<double> largest, lowest;
 };
 
 /// A problem whose parameters a study changes between solves. On the `lambda` plane it is y' =
@@ -106,9 +111,7 @@ struct Case {
   Truth truth;
   /// The components whose error is reported; empty: all of them.
   std::vector<std::size_t> measured;
-  /// By component: its errors and its size are divided by this number; empty: by 1. The truth's
-  /// floor is in the same units.
-  std::vector<double> scale;
+  ErrorUnits units;
   /// What its author asks for; a relative one of 0: none. Its thresholds hold for runs to other
   /// relative tolerances too.
   Tolerance tolerance = 0;
@@ -146,7 +149,11 @@ struct Case {
   double timed_floor() const {
     return settings.timed_stops.empty() ? truth.floor : settings.timed_floor;
   }
-  double scale_of(std::size_t component) const { return scale.empty() ? 1 : scale[component]; }
+  double scale_of(std::size_t component) const { return units.scale_of(component); }
+  /// Error of the truth's component, in its own unit.
+  double floor_of(std::size_t component) const {
+    return truth.floors.empty() ? truth.floor * scale_of(component) : truth.floors[component];
+  }
   bool has_tag(const std::string& tag) const { return std::ranges::find(tags, tag) != tags.end(); }
 };
 

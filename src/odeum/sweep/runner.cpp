@@ -106,7 +106,7 @@ double Runner::error(const std::vector<double>& values, const double* last) {
     exact_ = text->exact();
     judged_.y0 = base.y0;
     judged_.measured = base.measured;
-    judged_.scale = base.scale;
+    judged_.units = base.units;
   }
   if (exact_) judged_.truth.at = [&](double t, double* y) { return exact_(values, t, y); };
   return judge::error_at(exact_ ? judged_ : case_, plan_.request.stops.back(), last);

@@ -21,15 +21,6 @@ std::vector<double> exact_at(const Case& c, double t) {
   return y;
 }
 
-double largest_error(const Case& c, const double* y, const std::vector<double>& exact) {
-  double largest = 0;
-  for (const std::size_t i : judge::measured_components(c)) {
-    const double error = std::abs(y[i] - exact[i]);
-    if (!(error <= largest)) largest = error;
-  }
-  return largest;
-}
-
 /// The outputs that a run lacks, in which steps that end on outputs have failed, by runs of their
 /// own from the start, as far as these take no more than a hundred times the work of one to the
 /// end; NaN beyond, and where they fail, too.
@@ -129,7 +120,7 @@ record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
     add(info.library, info.method, c.t0, c.y0.data(), 0);
     for (std::size_t k = 0; k < run.reached(n); ++k) {
       const double t = run.request.stops[k], *const y = run.outcome.states.data() + k * n;
-      add(info.library, info.method, t, y, largest_error(c, y, exact_at(c, t)));
+      add(info.library, info.method, t, y, judge::error_of(c, y, exact_at(c, t).data()));
     }
   }
   for (const auto& [t, y] : exact.states) add("truth", "exact", t, y.data(), 0);
@@ -138,7 +129,7 @@ record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
 
 record::Records case_solution(const Case& c, const std::vector<CaseRun>& runs) {
   record::Records table{{"case", "library", "solver", "status", "time", "component", "value",
-                         "exact", "error", "name"}};
+                         "exact", "difference", "unit", "name"}};
   const std::vector<std::string> names = component_names(c);
   const std::size_t n = c.y0.size();
   for (const CaseRun& run : runs) {
@@ -149,7 +140,7 @@ record::Records case_solution(const Case& c, const std::vector<CaseRun>& runs) {
     const double* const y = run.outcome.states.data() + (run.reached(n) - 1) * n;
     for (std::size_t i = 0; i < n; ++i)
       table.rows.push_back({c.id, info.library, info.method, to_string(run.outcome.status), t, i,
-                            y[i], exact[i], y[i] - exact[i], names[i]});
+                            y[i], exact[i], y[i] - exact[i], c.units.of(i, exact[i]), names[i]});
   }
   return table;
 }

@@ -42,7 +42,8 @@ ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs);
 /// solver, time, the components by name, energy, error.
 record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
                                 const ExactStates& exact);
-/// The end of each run: case, library, solver, status, time, component, value, exact, error, name.
+/// The end of each run: case, library, solver, status, time, component, value, exact, difference,
+/// unit of errors, name.
 record::Records case_solution(const Case& c, const std::vector<CaseRun>& runs);
 /// The accepted steps of adaptive runs, where they are recorded: case, library, solver, time, step.
 /// Of a run with more steps than this they are taken in as many groups of neighbours, and the table

@@ -31,6 +31,13 @@ int logarithm(double error) {
   return static_cast<int>(std::lround(100 * std::log10(error)));
 }
 
+/// Of a tolerance as rows have it, in millionths of a decade: runs to tolerances of one decade are
+/// told apart. The page computes the same.
+std::uint64_t exponent_of(double tolerance) {
+  const double shown = std::stod(report::json_number(tolerance));
+  return static_cast<std::uint64_t>(std::llround(-1e6 * std::log10(shown)));
+}
+
 /// Of the measured components at the stops.
 double largest_of(const Case& c) {
   double largest = 0;
@@ -38,7 +45,7 @@ double largest_of(const Case& c) {
   for (const double stop : c.stops)
     if (c.truth.at(stop, y.data()))
       for (const std::size_t i : judge::measured_components(c))
-        largest = std::fmax(largest, std::abs(y[i]) / c.scale_of(i));
+        largest = std::fmax(largest, std::abs(y[i]) / c.units.of(i, y[i]));
   return largest;
 }
 
@@ -66,15 +73,13 @@ ExactStates computed_curve(const Case& c, const std::vector<double>& times) {
   const truth::Run run = truth::extrapolation_run(system, {all.begin(), all.end()},
                                                   {.tolerance = tolerance, .budget = 1e9});
   ExactStates curve{.source = "extrapolation in extended precision"};
-  const auto measured = judge::measured_components(c);
   double apart = 0;
   bool checked = false;
   for (std::size_t k = 0; k < run.states.size(); ++k) {
     const std::vector<double> state(run.states[k].begin(), run.states[k].end());
     if (std::ranges::binary_search(c.stops, all[k]) && c.truth.at(all[k], y.data())) {
       checked = true;
-      for (const std::size_t i : measured)
-        apart = std::fmax(apart, std::abs(state[i] - y[i]) / c.scale_of(i));
+      apart = std::fmax(apart, judge::error_of(c, state.data(), y.data()));
     }
     curve.states.emplace(all[k], state);
   }
@@ -92,7 +97,7 @@ Request drawn_request(const Case& c, Mode mode, double setting, double end, cons
   if (mode == Mode::fixed)
     request.steps = static_cast<std::uint64_t>(std::llround((end - c.t0) / setting));
   else
-    request.tolerance = setting;
+    set_tolerance(request, c, setting);
   request.over_stops = true;
   request.budget = budget;
   const std::uint64_t parts = mode == Mode::fixed ? request.steps : outputs;
@@ -134,7 +139,6 @@ Solutions::Solutions(const Case& c, double end, ExactStates exact)
       end_(end),
       exact_(std::move(exact)),
       components_(drawn_components(c)),
-      measured_(judge::measured_components(c)),
       low_(components_.size()),
       high_(components_.size()) {
   for (std::size_t k = 0; k < components_.size(); ++k) low_[k] = high_[k] = c.y0[components_[k]];
@@ -191,20 +195,15 @@ void Solutions::add(const CaseRun& run) {
       continue;
     }
     some_error = true;
-    double error = 0;
-    for (const std::size_t i : measured_)
-      if (const double e = std::abs(y[i] - exact->second[i]) / case_.scale_of(i); !(e <= error))
-        error = e;
-    errors.push_back(logarithm(error));
+    errors.push_back(logarithm(judge::error_of(case_, y, exact->second.data())));
     if (case_.energy)
       energies.push_back(logarithm(std::abs(case_.energy(y) - case_.energy(exact->second.data())) /
                                    energy_scale_));
   }
   const bool fixed = request.mode == Mode::fixed;
-  const std::string key = fmt::format(
-      "{}:{}:{}", report::plain(run.entrant->info.id()), to_string(request.mode),
-      fixed ? request.steps
-            : static_cast<std::uint64_t>(std::lround(-std::log10(request.tolerance.relative))));
+  const std::string key =
+      fmt::format("{}:{}:{}", report::plain(run.entrant->info.id()), to_string(request.mode),
+                  fixed ? request.steps : exponent_of(request.tolerance.relative));
   if (!some_error) errors.clear();
   if (energies.size() != reached) energies.clear();
   runs_[key] = {fixed ? request.steps : drawn_outputs, curve(std::move(values)), errors, energies};

@@ -42,7 +42,7 @@ class Solutions {
   const Case& case_;
   double end_;
   ExactStates exact_;
-  std::vector<std::size_t> components_, measured_;
+  std::vector<std::size_t> components_;
   std::vector<double> low_, high_;
   double energy_scale_ = 0;
   std::vector<std::vector<int>> curves_;

@@ -30,10 +30,13 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
     }
     mode->t0 = t;
     mode->y0 = y;
+    mode->along = system.along;
     // Equations with more operations than a series is made for.
     const Method used = method == taylor_run && !mode->taylor ? extrapolation_run : method;
-    Run part =
-        used(*mode, left, {effort.tolerance, effort.budget - whole.work, true, effort.until});
+    Effort of_part = effort;
+    of_part.budget -= whole.work;
+    of_part.inspect = true;
+    Run part = used(*mode, left, of_part);
     whole.work += part.work + work_of_change;
     left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(part.states.size()));
     std::move(part.states.begin(), part.states.end(), std::back_inserter(whole.states));

@@ -23,19 +23,19 @@ bool has_kinks(const formula::Problem& problem) {
 }
 
 /// Compares the enclosure at a time with what is claimed there; false: nothing more is to be done.
-bool compare(const Claim& claim, const formula::Problem& problem, const std::vector<Ball>& box,
-             double time, Certificate& result) {
+bool compare(const Claim& claim, const std::vector<Ball>& box, double time, Certificate& result) {
   std::vector<double> y(box.size());
   if (!claim.at(time, y.data())) return true;
-  double width = 0;
+  double width = 0, claimed = 0;
   bool within = true, outside = false;
   for (std::size_t i = 0; i < box.size(); ++i) {
-    const double unit = problem.scale.empty() ? 1 : problem.scale[i];
-    const double allowed = claim.floor * unit + 0x1p-53 * std::abs(y[i]);
+    const double unit = claim.units.of(i, y[i]);
+    const double allowed = claim.floors[i] + 0x1p-53 * std::abs(y[i]);
     const Ball apart = box[i] - Ball(y[i]);
     within = within && apart.largest() <= allowed;
     outside = outside || apart.least() > allowed;
     width = std::max(width, box[i].radius() / unit);
+    claimed = std::max(claimed, claim.floors[i] / unit);
   }
   if (within) {
     result.time = time;
@@ -52,7 +52,7 @@ bool compare(const Claim& claim, const formula::Problem& problem, const std::vec
                        : fmt::format(
                              "at t = {:.6g} the enclosure, of radius {:.1e}, is no narrower than "
                              "the error that is claimed, {:.1e}",
-                             time, width, claim.floor);
+                             time, width, claimed);
   return false;
 }
 }  // namespace
@@ -78,7 +78,7 @@ std::optional<Certificate> certify([[maybe_unused]] const formula::Problem& prob
   EnclosedFlow flow(problem);
   for (const double time : claim.times) {
     result.why = flow.run_to(time);
-    if (!result.why.empty() || !compare(claim, problem, flow.box(), time, result)) return result;
+    if (!result.why.empty() || !compare(claim, flow.box(), time, result)) return result;
   }
   result.said = result.proved > 0 ? Certificate::Said::proved : Certificate::Said::agreed;
   if (result.proved == 0) result.why = "nothing is claimed";

@@ -5,18 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "odeum/core/error_units.hpp"
 #include "odeum/formula/problem.hpp"
 
 /// Digits of a truth that are proved: a solution is enclosed by ball arithmetic, whatever computed
 /// the truth.
 namespace odeum::truth {
 
-/// A truth that is to be proved: its states are off by at most `floor` in units of the scale, and
-/// half a unit in their last place.
+/// A truth that is to be proved: its components are off by at most their floor, and half a unit in
+/// their last place.
 struct Claim {
   std::vector<double> times;  ///< ascending
   std::function<bool(double t, double* y)> at;
-  double floor = 0;
+  std::vector<double> floors;  ///< by component, in its own unit
+  ErrorUnits units;            ///< in which widths are said
 };
 
 struct Certificate {
@@ -28,8 +30,8 @@ struct Certificate {
   Said said = Said::agreed;
   std::size_t proved = 0;  ///< how many of the times
   double time = 0;         ///< the last that is proved, or the one that is refuted
-  double width = 0;  ///< of the enclosures up to it, the largest radius, in units of the scale
-  std::string why;   ///< not all of it is proved
+  double width = 0;        ///< of the enclosures up to it, the largest radius, in the units
+  std::string why;         ///< not all of it is proved
 };
 /// As a sentence that begins with the word.
 std::string to_text(const Certificate& certificate);

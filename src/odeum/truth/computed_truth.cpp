@@ -55,20 +55,24 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
   const bool known =
       std::ranges::all_of(times, [&](double t) { return c.truth.at(t, state.data()); });
   if (known || !c.extended) return c.truth;
-  const Reference reference = *kept_or_computed(content_of(c), state.size(), times, c.scale, [&] {
-    return compute_reference(case_system(c), times, c.scale);
+  const Reference reference = *kept_or_computed(content_of(c), state.size(), times, c.units, [&] {
+    return compute_reference(case_system(c), times, c.units);
   });
 
   const auto states = std::make_shared<std::map<double, std::vector<double>>>();
   Truth truth = c.truth;
-  Real floor = 0, largest = 0;
+  truth.floors.resize(state.size());
+  for (std::size_t i = 0; i < state.size(); ++i) truth.floors[i] = c.floor_of(i);
   for (std::size_t k = 0; k < reference.times.size(); ++k) {
     if (!std::ranges::binary_search(times, reference.times[k])) continue;
     const State& y = reference.states[k];
     (*states)[reference.times[k]].assign(y.begin(), y.end());
-    floor = std::max<Real>(floor, reference.floors[k]);
-    for (std::size_t i = 0; i < y.size(); ++i)
-      largest = std::max(largest, std::abs(y[i]) / c.scale_of(i));
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const auto size = static_cast<double>(std::abs(y[i]));
+      const double floor = reference.floors[k][i] + 0x1p-53 * size;
+      truth.floors[i] = std::max(truth.floors[i], floor);
+      truth.floor = std::max(truth.floor, floor / c.units.of(i, size));
+    }
   }
   truth.at = [own = c.truth.at, states](double t, double* y) {
     if (own(t, y)) return true;
@@ -85,7 +89,6 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
     truth.source += ": nothing is known, since " + reference.end;
   else if (!reference.end.empty())
     truth.source += fmt::format(", up to t = {:.6g}: {}", reference.known_until, reference.end);
-  truth.floor = std::max(c.truth.floor, static_cast<double>(floor + 0x1p-53L * largest));
   return truth;
 }
 

@@ -107,9 +107,9 @@ std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, st
   system.rounding = 0x1p-53L;
   // Of a call of foreign code; what it really takes is not known.
   system.work = 200 + 20 * static_cast<double>(n);
-  const std::size_t room = (stops.size() + 100) * (n + 3) * 32 + 4096;
+  const std::size_t room = (stops.size() + 100) * 2 * (n + 2) * 32 + 4096;
   const auto [ended, text] = isolated::text_isolated(
-      [&] { return to_text(compute_reference(system, stops, given.scale)); }, room, most_seconds);
+      [&] { return to_text(compute_reference(system, stops, {given.scale})); }, room, most_seconds);
   std::optional<Reference> reference;
   if (ended) reference = from_text(text, n);
   if (!reference) why = ended ? "the reference could not be read" : text;

@@ -13,8 +13,9 @@
 
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
+#include "odeum/truth/along.hpp"
 #include "odeum/truth/inspector.hpp"
-#include "odeum/truth/system.hpp"
+#include "odeum/truth/sizes.hpp"
 
 namespace odeum::truth {
 
@@ -25,36 +26,6 @@ struct Trial {
   Real error = 0;
   double work = 0;
 };
-
-/// The size of each component so far, by which errors are measured: a component that passes through
-/// zero has no relative error. One that has always been small is measured with the largest, but not
-/// by less than 1e-6 of that. `memory`: what remains of an earlier size after a step, down to 1e-4
-/// of the component's largest, `peaks`.
-inline void update_running_maxima(State& sizes, State& peaks, const State& y, Real memory) {
-  Real largest = 0;
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    peaks[i] = std::max(peaks[i], std::abs(y[i]));
-    sizes[i] = std::max({memory * sizes[i], std::abs(y[i]), 1e-4L * peaks[i]});
-    largest = std::max(largest, sizes[i]);
-  }
-  for (Real& size : sizes) size = std::max(size, 1e-6L * largest);
-}
-
-inline Real size_of(const State& y) {
-  Real largest = 0;
-  for (const Real x : y) largest = std::max(largest, std::abs(x));
-  return largest;
-}
-
-inline Real largest_ratio(const State& error, const State& sizes) {
-  Real worst = 0;
-  for (std::size_t i = 0; i < error.size(); ++i) {
-    const Real ratio = sizes[i] > 0 ? std::abs(error[i]) / sizes[i] : std::abs(error[i]);
-    if (std::isnan(ratio)) return ratio;
-    worst = std::max(worst, ratio);
-  }
-  return worst;
-}
 
 /// What rounding of y moves f by, by component: no method at a step of h has an error below h times
 /// that, and none is asked for it.
@@ -223,15 +194,17 @@ template <class Step>
 Run march(const System& system, const std::vector<Real>& times, const Effort& effort, int order,
           Step&& step, Real memory = 1) {
   Run run;
-  State y = system.y0, sizes(y.size(), 0), peaks(sizes), f(y.size());
-  update_running_maxima(sizes, peaks, y, memory);
+  State y = system.y0, f(y.size());
+  Sizes measured(system, y, effort.least_part, memory);
+  const State& sizes = measured.now;
+  if (effort.watched) effort.watched->take(y);
   system.rhs(system.t0, y.data(), f.data());
   Real t = system.t0;
   const Real span = times.back() - t;
   const Real slope = largest_ratio(f, sizes);
   // At the last of the times, which may be the end itself, and at the one before.
   Real last_slope = size_of(f), earlier_slope = last_slope;
-  Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / 50);
+  Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / effort.parts);
   Watch watch{.span = span,
               .insight = effort.inspect && system.insight ? system.insight(span) : nullptr};
   for (const Real time : times) {
@@ -266,12 +239,14 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
         continue;
       }
       y = std::move(trial.y);
-      update_running_maxima(sizes, peaks, y, memory);
+      measured.update(y);
+      if (effort.watched) effort.watched->take(y);
       t = last ? time : t + used;
       const Real next = used * std::clamp(factor, 0.2L, 3.0L);
-      h = std::min(last ? std::max(h, next) : next, span / 50);
+      h = std::min(last ? std::max(h, next) : next, span / effort.parts);
     }
     run.states.push_back(y);
+    if (effort.watched) effort.watched->mark();
     system.rhs(t, y.data(), f.data());
     earlier_slope = std::exchange(last_slope, size_of(f));
   }

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "odeum/core/parallel.hpp"
-#include "odeum/truth/system.hpp"
+#include "odeum/truth/sizes.hpp"
 
 namespace odeum::truth {
 namespace {
@@ -30,39 +30,26 @@ struct Family {
 /// Two runs and how they differ.
 struct Comparison {
   Run a, b;
-  bool spent = false;       ///< one of them ended for the work that it took
-  std::vector<Real> apart;  ///< by time, as far as both came
-  Real worst = 0;           ///< of those that are known
-  std::size_t known = 0;    ///< times at which they agree
+  bool spent = false;        ///< one of them ended for the work that it took
+  std::vector<State> apart;  ///< by time and component, as far as both came
+  Real worst = 0;            ///< of those that are known
+  std::size_t known = 0;     ///< times at which they agree
 };
-
-Real distance(const State& a, const State& b, const std::vector<double>& scale) {
-  Real worst = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Real difference = std::abs(a[i] - b[i]) / (scale.empty() ? 1 : scale[i]);
-    if (std::isnan(difference)) return difference;
-    worst = std::max(worst, difference);
-  }
-  return worst;
-}
 
 class Search {
  public:
-  Search(const System& system, const std::vector<double>& asked, const std::vector<double>& scale)
-      : system_(system), scale_(scale), zero_(system.states, 0) {
+  Search(const System& system, const std::vector<double>& asked, const ErrorUnits& units)
+      : system_(system), units_(units) {
     const Real end = asked.back(), span = end - system.t0;
-    std::set<Real> all(asked.begin(), asked.end());
-    for (int k = 1; k < checks; ++k) all.insert(system.t0 + span * k / checks);
-    const auto is_asked = [&](Real t) {
-      return std::ranges::binary_search(asked, static_cast<double>(t));
-    };
-    // A check beside a time asked for would cost steps for nothing.
-    for (const Real t : all) {
-      if (is_asked(t) && !times_.empty() && t - times_.back() < 1e-6L * span &&
-          !is_asked(times_.back()))
-        times_.pop_back();
-      times_.push_back(t);
+    const std::set<Real> stops(asked.begin(), asked.end());
+    std::set<Real> all = stops;
+    for (int k = 1; k < checks; ++k) {
+      // One beside a time asked for would cost steps for nothing, and is the same time in double.
+      const Real t = system.t0 + span * k / checks, beside = 1e-6L * span;
+      const auto next = stops.lower_bound(t - beside);
+      if (next == stops.end() || *next > t + beside) all.insert(t);
     }
+    times_.assign(all.begin(), all.end());
   }
 
   Reference find() {
@@ -138,10 +125,10 @@ class Search {
     return best;
   }
 
+  Real size_of(const State& y) const { return largest_of(y, y, units_); }
   Real size_of(const Comparison& c) const {
-    Real size = distance(system_.y0, zero_, scale_);
-    for (std::size_t k = 0; k < c.known; ++k)
-      size = std::max(size, distance(c.a.states[k], zero_, scale_));
+    Real size = size_of(system_.y0);
+    for (std::size_t k = 0; k < c.known; ++k) size = std::max(size, size_of(c.a.states[k]));
     return size;
   }
 
@@ -166,8 +153,10 @@ class Search {
     const bool quick = system_.rounding > 0x1p-60L && system_.smooth;
     if (system_.states > few) effort.budget *= quick ? 16 : 4;
     // Where `first` has missed nothing, and `second` agrees, that has missed nothing either.
-    Effort of_second{std::max(tolerance, family_.finest), std::min(effort.budget, most_work_[1]),
-                     found_, until_};
+    Effort of_second{.tolerance = std::max(tolerance, family_.finest),
+                     .budget = std::min(effort.budget, most_work_[1]),
+                     .inspect = found_,
+                     .until = until_};
     effort.budget = std::min(effort.budget, most_work_[0]);
     const bool again = of_second.tolerance != second_tolerance_;
     // Both at once, and with the first comparison the run on moved constants.
@@ -189,13 +178,15 @@ class Search {
     c.b = second_;
     c.spent = c.a.work > effort.budget || c.b.work > of_second.budget;
     const std::size_t both = std::min(c.a.states.size(), c.b.states.size());
-    Real size = distance(system_.y0, zero_, scale_);
+    Real size = size_of(system_.y0);
     while (c.known < both) {
-      const Real d = distance(c.a.states[c.known], c.b.states[c.known], scale_);
-      size = std::max(size, distance(c.a.states[c.known], zero_, scale_));
+      const State& y = c.a.states[c.known];
+      State apart = difference_of(y, c.b.states[c.known]);
+      const Real d = largest_of(apart, y, units_);
+      size = std::max(size, size_of(y));
       if (!(d <= unknown * size)) break;
       c.worst = std::max(c.worst, d);
-      c.apart.push_back(d);
+      c.apart.push_back(std::move(apart));
       ++c.known;
     }
     return c;
@@ -245,17 +236,22 @@ class Search {
     // The disagreement of two methods can be small by chance at one time, and errors of both can
     // have the same sign; where there are kinks, each misses them alike.
     const Real safety = system_.smooth ? 10 : 100;
-    Real apart = 0, largest = distance(system_.y0, zero_, scale_);
+    const std::size_t n = system_.states;
+    State apart(n, 0), largest(n, 0);
+    extend(largest, system_.y0);
     for (std::size_t k = 0; k < best.known; ++k) {
-      apart = std::max(apart, best.apart[k]);
-      largest = std::max(largest, distance(best.a.states[k], zero_, scale_));
-      Real constants = 0;
-      if (moved_ && k < moved_->states.size())
-        constants = distance(best.a.states[k], moved_->states[k], scale_) / moved_by * 0x1p-64L;
+      const State& y = best.a.states[k];
+      extend(apart, best.apart[k]);
+      extend(largest, y);
+      State constants(n, 0);
+      if (moved_ && k < moved_->states.size()) constants = difference_of(y, moved_->states[k]);
       r.known_until = static_cast<double>(times_[k]);
       r.times.push_back(r.known_until);
-      r.states.push_back(best.a.states[k]);
-      r.floors.push_back(static_cast<double>(safety * apart + 10 * constants + least * largest));
+      r.states.push_back(y);
+      std::vector<double>& floors = r.floors.emplace_back(n);
+      for (std::size_t i = 0; i < n; ++i)
+        floors[i] = static_cast<double>(
+            safety * apart[i] + 10 * constants[i] / moved_by * 0x1p-64L + least * largest[i]);
     }
     if (best.known < times_.size()) r.end = why(best);
     const Real first = best.a.ends_at, second = best.b.ends_at;
@@ -275,9 +271,8 @@ class Search {
   }
 
   const System& system_;
-  const std::vector<double>& scale_;
+  const ErrorUnits& units_;
   const Moment until_ = Deadline::in_force();
-  State zero_;
   std::vector<Real> times_;
   Family family_{};
   double brief_work_ = 0;       ///< of `first` at a loose tolerance; 0: not known
@@ -292,8 +287,8 @@ class Search {
 }  // namespace
 
 Reference compute_reference(const System& system, const std::vector<double>& times,
-                            const std::vector<double>& scale) {
-  return Search(system, times, scale).find();
+                            const ErrorUnits& units) {
+  return Search(system, times, units).find();
 }
 
 }  // namespace odeum::truth

@@ -58,23 +58,26 @@ class Motion {
   }
 
   const Reference& reference() const { return reference_; }
-  /// Its positions and velocities; false: not known. `floor` grows with theirs.
-  bool at(double t, Real* q, Real* v, double& floor) const {
+  /// Its positions and velocities, and bounds of their errors; false: not known.
+  bool at(double t, Real* q, Real* v, double* floor_q, double* floor_v) const {
     const std::size_t n = 3 * part_.count;
     const double since = std::min(t, part_.life.death) - part_.birth();
     const std::vector<double>& start = problem_->start();
     State state(start.begin(), start.end());
+    std::vector<double> floors(2 * n, 0);
     if (since > 0) {
       const auto k = static_cast<std::size_t>(std::ranges::find(reference_.times, since) -
                                               reference_.times.begin());
       if (k == reference_.times.size()) return false;
       state = reference_.states[k];
-      floor = std::max(floor, reference_.floors[k]);
+      floors = reference_.floors[k];
     }
     const Real flown = since > 0 ? std::max(t - part_.life.death, 0.0) : since;
     for (std::size_t d = 0; d < n; ++d) {
       q[d] = state[d] + flown * state[n + d];
       v[d] = state[n + d];
+      floor_q[d] = floors[d] + static_cast<double>(std::abs(flown)) * floors[n + d];
+      floor_v[d] = floors[n + d];
     }
     return true;
   }
@@ -105,14 +108,16 @@ Reference reference_of(const Problem& problem, const std::vector<double>& times)
   const std::size_t n = problem->size() / 2;
   for (const double t : times) {
     State state(2 * n);
-    double floor = 0;
+    std::vector<double> floors(2 * n);
     bool known = true;
-    for (std::size_t i = 0; i < parts.size() && known; ++i)
-      known = motions[i]->at(t, &state[3 * parts[i].first], &state[n + 3 * parts[i].first], floor);
+    for (std::size_t i = 0; i < parts.size() && known; ++i) {
+      const std::size_t q = 3 * parts[i].first, v = n + q;
+      known = motions[i]->at(t, &state[q], &state[v], &floors[q], &floors[v]);
+    }
     if (!known) break;
     whole.known_until = t;
     whole.times.push_back(t);
-    whole.floors.push_back(floor);
+    whole.floors.push_back(std::move(floors));
     whole.states.push_back(std::move(state));
   }
   return whole;

@@ -13,7 +13,7 @@
 namespace odeum::truth {
 namespace {
 
-constexpr const char* mark = "odeum computed reference 2";
+constexpr const char* mark = "odeum computed reference 3";
 
 // Reads numbers up to the end of a line.
 template <class Number>
@@ -31,7 +31,7 @@ std::string to_text(const Reference& r) {
   std::string text = fmt::format("{}\n{}\n{}\n{} {} {} {}\n", mark, r.methods, r.end, r.known_until,
                                  r.ends_at, r.disagreement, r.times.size());
   for (std::size_t k = 0; k < r.times.size(); ++k) {
-    fmt::format_to(std::back_inserter(text), "{} {}", r.times[k], r.floors[k]);
+    fmt::format_to(std::back_inserter(text), "{} {}", r.times[k], fmt::join(r.floors[k], " "));
     for (const Real x : r.states[k]) fmt::format_to(std::back_inserter(text), " {:.21Lg}", x);
     text += '\n';
   }
@@ -53,14 +53,17 @@ std::optional<Reference> from_text(const std::string& text, std::size_t states) 
   for (std::size_t k = 0; k < count; ++k) {
     if (!std::getline(in, line)) return std::nullopt;
     rest = line;
-    double time = 0, floor = 0;
-    if (!read(rest, time) || !read(rest, floor)) return std::nullopt;
+    double time = 0;
+    if (!read(rest, time)) return std::nullopt;
+    std::vector<double> floors(states);
     State state(states);
+    for (double& floor : floors)
+      if (!read(rest, floor)) return std::nullopt;
     for (Real& x : state)
       if (!read(rest, x)) return std::nullopt;
     if (!rest.empty()) return std::nullopt;
     r.times.push_back(time);
-    r.floors.push_back(floor);
+    r.floors.push_back(std::move(floors));
     r.states.push_back(std::move(state));
   }
   if (!std::getline(in, line) || line != "end") return std::nullopt;
@@ -69,9 +72,9 @@ std::optional<Reference> from_text(const std::string& text, std::size_t states) 
 
 std::optional<Reference> kept_or_computed(
     std::string content, std::size_t states, const std::vector<double>& stops,
-    const std::vector<double>& scale, const std::function<std::optional<Reference>()>& compute) {
-  content +=
-      fmt::format("\n{}\n{} {}", build::truth_code, fmt::join(stops, " "), fmt::join(scale, " "));
+    const ErrorUnits& units, const std::function<std::optional<Reference>()>& compute) {
+  content += fmt::format("\n{}\n{} {} {}", build::truth_code, fmt::join(stops, " "),
+                         fmt::join(units.scale, " "), fmt::join(units.relative_from, " "));
   const std::string name = formula::content_key(content) + ".reference";
   if (const auto text = formula::kept_text(name))
     if (auto held = from_text(*text, states)) return held;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "odeum/core/error_units.hpp"
 #include "odeum/problem/sparsity.hpp"
 
 /// References that Odeum computes for problems without a closed form: by two methods of different
@@ -36,6 +37,9 @@ class Insight {
   /// A bound of the rounding of f at (t, y) in extended precision, by component; false: not known.
   virtual bool rounding(Real /*t*/, const State& /*y*/, State& /*bound*/) { return false; }
 };
+
+struct Along;
+class Watched;
 
 /// An initial value problem in extended precision.
 struct System {
@@ -66,6 +70,8 @@ struct System {
   bool concurrent = false;
   Real rounding = 0x1p-63L;  ///< of the right-hand side, relative: that of double for foreign code
   double work = 10;          ///< operations of one evaluation, for the budget
+  /// What its components are along the solution, see Sizes; null: not known.
+  std::shared_ptr<const Along> along;
 
   bool has_jacobian() const { return jacobian || entries; }
 };
@@ -107,6 +113,9 @@ struct Effort {
   double budget = 3e9;           ///< operations
   bool inspect = false;          ///< look into each step
   Moment until = Moment::max();  ///< see Deadline
+  Real parts = 50;               ///< of the span, one of which no step is longer than
+  Watched* watched = nullptr;    ///< sees each step; null: nothing does
+  Real least_part = 1e-6L;       ///< of the largest size, by which small components are measured
 };
 
 using Method = Run (*)(const System&, const std::vector<Real>& times, const Effort&);
@@ -152,23 +161,22 @@ inline bool is_past(Moment moment) { return std::chrono::steady_clock::now() > m
 struct Reference {
   std::vector<double> times;  ///< at which it is known: those asked for, and others between
   std::vector<State> states;
-  std::vector<double> floors;  ///< by time: bound of the error of any component over its scale, in
-                               ///< extended precision
-  double known_until = 0;      ///< the last time that was looked at and is known
-  std::string end;             ///< why nothing is known beyond; empty: all is known
+  /// By time: bounds of the error of each component, in its own unit, in extended precision.
+  std::vector<std::vector<double>> floors;
+  double known_until = 0;  ///< the last time that was looked at and is known
+  std::string end;         ///< why nothing is known beyond; empty: all is known
   /// After this time there is no solution: its slope grows without bound; infinite: not known.
   double ends_at = std::numeric_limits<double>::infinity();
   std::string methods;      ///< which two, in words
-  double disagreement = 0;  ///< largest over the times, of a component over its scale
+  double disagreement = 0;  ///< largest over the times, of a component over its unit
 };
 
 /// The exact states at the times (ascending) to as many digits as two methods agree on. The
 /// tolerances are refined until the runs agree no better. A floor is their disagreement, with a
 /// safety factor, and what the rounding of constants adds. Where they
-/// agree on less than 1e-6 of the scale nothing is known. `scale`: by component; empty: 1, and then
-/// "of the scale" is relative to the largest component.
+/// agree on less than 1e-6 of the solution, both in these units, nothing is known.
 Reference compute_reference(const System& system, const std::vector<double>& times,
-                            const std::vector<double>& scale);
+                            const ErrorUnits& units);
 
 /// As text, to be kept in a file, and back; nothing for a text that is damaged or of other sizes.
 std::string to_text(const Reference& reference);
@@ -177,8 +185,7 @@ std::optional<Reference> from_text(const std::string& text, std::size_t states);
 /// The reference that the cache folder keeps for this content, else a computed one, which is then
 /// kept there; nothing where none could be computed.
 std::optional<Reference> kept_or_computed(std::string content, std::size_t states,
-                                          const std::vector<double>& stops,
-                                          const std::vector<double>& scale,
+                                          const std::vector<double>& stops, const ErrorUnits& units,
                                           const std::function<std::optional<Reference>()>& compute);
 
 }  // namespace odeum::truth

@@ -31,7 +31,8 @@ judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t s
     Real size = 0;
     if (!problem.truth(c.stops[stop], exact.data())) return {.error = nan};
     for (const std::size_t i : measured) {
-      const Real unit = c.scale_of(i), error = (y[i] - exact[i]) / unit;
+      const Real unit = c.units.of(i, static_cast<double>(exact[i])),
+                 error = (y[i] - exact[i]) / unit;
       squares += error * error;
       size += exact[i] / unit * (exact[i] / unit);
     }

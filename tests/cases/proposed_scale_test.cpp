@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Units that Odeum proposes: the size of each component along the whole solution.
+#include "odeum/cases/proposed_scale.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "odeum/cases/catalogue.hpp"
+#include "odeum/cases/text_case.hpp"
+#include "odeum/judge/errors.hpp"
+#include "odeum/judge/remarks.hpp"
+
+namespace odeum::proposed_scale_test {
+namespace {
+
+using Scale = std::vector<double>;
+
+Case of_text(const std::string& text) {
+  return case_of(cases::text_statements("proposed.yaml", text, "proposed", {}).front());
+}
+
+/// A run of an own method to a tolerance, with the units of the case.
+struct Made {
+  Request request;
+  Outcome outcome;
+  Made(const Case& c, const char* solver, double tolerance) {
+    request.mode = Mode::adaptive;
+    set_tolerance(request, c, tolerance);
+    request.stops = {c.stops.back()};
+    outcome = c.entrants.find(solver)->solve(request);
+  }
+};
+
+const char* const enzyme =
+    "states: {S: 1e-3, E: 1e-6, C: 0, P: 0}\n"
+    "parameters: {k1: 1e6, km: 1e3, k2: 10}\n"
+    "equations:\n"
+    "  S: -k1*S*E + km*C\n"
+    "  E: -k1*S*E + (km + k2)*C\n"
+    "  C: k1*S*E - (km + k2)*C\n"
+    "  P: k2*C\n"
+    "time: {end: 1}\n";
+
+TEST(ProposedScale, IsTheSizeOfEachState) {
+  const Case c = of_text(enzyme);
+  // C is 4.97e-7 at most, P 4.96e-6 at the end.
+  EXPECT_EQ(c.units.scale, (Scale{1e-3, 1e-6, 5e-7, 5e-6}));
+  EXPECT_EQ(c.tolerance.threshold(1), 1e-6);
+  const auto stated = [](const std::string& more) { return of_text(enzyme + more).units.scale; };
+  EXPECT_EQ(stated("scale: {S: 1, E: 1, C: 1, P: 1}\n"), (Scale{1, 1, 1, 1}));
+  // That of the file is the unit of absolute tolerances as well.
+  const Case given = of_text(std::string(enzyme) + "scale: {S: 1e-2, E: 1e-5, C: 1e-5, P: 1e-4}\n");
+  EXPECT_EQ(given.tolerance.threshold(1), 1e-5);
+  EXPECT_TRUE(stated("tolerance: {relative: 1e-6, absolute: 1e-9}\n").empty());
+  // States near 1 stay in their own units.
+  EXPECT_TRUE(
+      of_text("states: {y: 2}\nequations: {y: -y^2}\ntime: {end: 3}\n").units.scale.empty());
+}
+
+// The truth's floor of chaos and of a growing mode, 6e-5 and 1.5e-6, made scales of 10000 and 1000.
+TEST(ProposedScale, IsNotRaisedByTheFloorOfTheTruth) {
+  EXPECT_TRUE(of_text("parameters: {s: 10, r: 28, b: 8/3}\nstates: {x: 3, y: 1, z: 1}\n"
+                      "equations: {x: s*(y - x), y: x*(r - z) - y, z: x*y - b*z}\n"
+                      "time: {end: 40}\n")
+                  .units.scale.empty());
+  const Case growing =
+      of_text("states: {y: 1}\nequations: {y: 10*(y - cos(t)) - sin(t)}\ntime: {end: 3}\n");
+  EXPECT_TRUE(growing.units.scale.empty());
+  EXPECT_EQ(growing.truth.source.find("refuted"), std::string::npos) << growing.truth.source;
+}
+
+// v is zero at the start and at all stops, and x zero at the start and at the end.
+TEST(ProposedScale, LooksBetweenTheStops) {
+  const Case periods =
+      of_text("states: {x: 1, v: 0}\nequations: {x: v, v: -4*pi^2*x}\ntime: {end: 4}\n");
+  EXPECT_TRUE(periods.units.scale.empty());
+  const Made run(periods, "odeum/dormand_prince54", 1e-6);
+  EXPECT_TRUE(judge::remarks(periods, run.request, run.outcome).empty());
+  EXPECT_NEAR(judge::error_at(periods, 4, run.outcome.states.data()), 2e-5, 1e-5);
+  const Case pulse = of_text(
+      "states: {x: 0, s: 0}\nequations: {x: 1e7*pi*cos(pi*t), s: pi*sin(2*pi*t)}\n"
+      "time: {end: 2, stops: [1, 2]}\n");
+  EXPECT_EQ(pulse.units.scale[0], 1e7);
+  EXPECT_GT(judge::Judge(pulse, pulse.stops).scale(), 0.5);
+}
+
+TEST(ProposedScale, IsOfEachStateBesideFarLargerOnes) {
+  const Case trace = of_text(
+      "parameters: {k1: 1e-3, k2: 5}\nstates: {A: 55000, X: 0, Y: 0}\n"
+      "equations: {A: -k1*1e-14*A, X: k1*1e-14*A - k2*X*(1 + sin(3*t)),"
+      " Y: k2*X*(1 + sin(3*t))}\ntime: {end: 20}\n");
+  EXPECT_EQ(trace.units.scale, (Scale{6e4, 4e-13, 1e-11}));
+  std::vector<double> y(3);
+  ASSERT_TRUE(trace.truth.at(20, y.data()));
+  // By SciPy's Radau and DOP853 at a relative 1e-12 of each state.
+  EXPECT_NEAR(y[1], 9.9576e-14, 1e-17);
+  EXPECT_NEAR(y[2], 1.09004e-11, 1e-15);
+  EXPECT_LT(trace.floor_of(1), 1e-10 * y[1]);
+  EXPECT_LT(trace.truth.floor, 1e-10);
+  const Case electron = of_text(
+      "parameters: {q: 1.602176634e-19, m: 9.1093837e-31, E0: 1e9}\nstates: {x: 0, v: 0}\n"
+      "equations: {x: v, v: q*E0/m}\ntime: {end: 1.61e-13}\n");
+  EXPECT_EQ(electron.units.scale, (Scale{2e-6, 3e7}));
+}
+
+// 3.7 % of the bacteria, which is 1e-4 of those at the start.
+TEST(ProposedScale, NamesAStateThatFallsAndRises) {
+  const Case c = of_text(
+      "parameters: {ke: 0.2, kg: 1.4, kd: 0.2, emax: 3, ec50: 10}\nstates: {B1: 100000, C: 100}\n"
+      "definitions: {eff: emax*C/(ec50 + C)}\n"
+      "equations: {B1: B1*kg - (kd + eff)*B1, C: -ke*C}\ntime: {end: 24}\n");
+  ASSERT_TRUE(c.units.is_relative(0));
+  EXPECT_FALSE(c.units.is_relative(1));
+  EXPECT_LT(c.units.relative_from[0], 1);
+  EXPECT_EQ(c.tolerance.threshold(0), c.units.relative_from[0]);
+  std::vector<double> y(2);
+  ASSERT_TRUE(c.truth.at(24, y.data()));
+  EXPECT_NEAR(y[0], 252.3425, 1e-4);
+  y[0] *= 1.037;
+  EXPECT_NEAR(judge::error_at(c, 24, y.data()), 0.037, 1e-9);
+  const std::string fact = c.facts.back().second;
+  EXPECT_NE(fact.find("B1 (from "), std::string::npos) << fact;
+  // Neither a state that crosses zero nor one that only falls.
+  for (const char* other : {"states: {x: 1e4, v: 0}\nequations: {x: v, v: -x}\ntime: {end: 20}\n",
+                            "states: {x: 1e4}\nequations: {x: -x}\ntime: {end: 20}\n"})
+    EXPECT_TRUE(of_text(other).units.relative_from.empty()) << other;
+}
+
+// x - y is 0, to rounding: such a state has no size of its own.
+TEST(ProposedScale, KnowsRoundingFromATraceSpecies) {
+  const Case c = of_text(
+      "states: {x: 1000, y: 1000, d: 0, z: 0}\nequations: {x: -0.1*x, y: -y/10, d: 3*(x - y) - d, "
+      "z: 0}\ntime: {end: 5}\n");
+  EXPECT_EQ(c.units.scale, (Scale{1e3, 1e3, 1e3, 1e3}));
+}
+
+TEST(ProposedScale, IsKnownBeforeTheTruth) {
+  const auto c = cases::case_before_truth({"enzyme.yaml", enzyme, "enzyme", {}});
+  ASSERT_TRUE(c);
+  EXPECT_EQ(c->units.scale, (Scale{1e-3, 1e-6, 5e-7, 5e-6}));
+}
+
+}  // namespace
+}  // namespace odeum::proposed_scale_test
