@@ -21,6 +21,7 @@ struct MadeFailure {
   std::set<advise::Cause> causes;     ///< true by construction; each has to be said
   std::set<advise::Cause> also = {};  ///< true besides, and may be said
   double wrong_jacobian = 1;          ///< by which the entries are multiplied
+  std::vector<double> end = {};       ///< the solution at the end, computed apart; empty: unknown
 };
 
 /// The case of a text, interpreted, without a truth.
@@ -61,6 +62,12 @@ inline Case made_case(const MadeFailure& made) {
   c.problem = {view, keep, c.t0, std::make_shared<const std::vector<double>>(c.y0), nullptr};
   c.entrants = cases::enroll(c.problem);
   return c;
+}
+
+inline advise::Why why_of(const MadeFailure& made, const Case& c, const Request& request,
+                          double seconds) {
+  return advise::why(c, made.solver, request, seconds,
+                     cases::conditions_of(formula::read_problem(made.name, made.text)));
 }
 
 inline Request made_request(const MadeFailure& made, const Case& c) {

@@ -25,7 +25,7 @@ constexpr double seconds = 300;
 std::string fault_of(const MadeFailure& made) {
   const Case c = tests::made_case(made);
   if (!c.entrants.find(made.solver)) return {};  // a build without that library
-  const advise::Why why = advise::why(c, made.solver, tests::made_request(made, c), seconds);
+  const advise::Why why = tests::why_of(made, c, tests::made_request(made, c), seconds);
   std::set<advise::Cause> said;
   for (const advise::Finding& finding : why.findings) said.insert(finding.cause);
   std::string fault;
@@ -52,6 +52,44 @@ TEST(Why, SaysTheCausesOfMadeFailures) {
   EXPECT_GE(tests::made_failures().size(), 40U);
   EXPECT_GE(composed, tests::made_failures().size() / 3);
   EXPECT_GE(10 * right, 9 * tests::made_failures().size()) << faults;
+}
+
+/// How far a state is from the right one, over the size of that.
+double off(const std::vector<double>& state, const std::vector<double>& right) {
+  double size = 0, most = 0;
+  for (const double x : right) size = std::max(size, std::abs(x));
+  for (std::size_t i = 0; i < right.size(); ++i)
+    most = std::max(most, std::abs(state[state.size() - right.size() + i] - right[i]) / size);
+  return most;
+}
+
+// A run to the end that is said to be better is nearer to what was computed apart, or as near for
+// less work; of the saddle there is none.
+TEST(Why, TheRunThatItNamesIsBetter) {
+  for (const MadeFailure& made : tests::made_failures()) {
+    if (made.end.empty()) continue;
+    const Case c = tests::made_case(made);
+    if (!c.entrants.find(made.solver)) continue;
+    const advise::Why why = tests::why_of(made, c, tests::made_request(made, c), seconds);
+    ASSERT_TRUE(why.better) << made.name << text_of(why, c, {made.name, ""});
+    const advise::Other& other = why.others[*why.better];
+    if (other.request.stops.back() < c.stops.back()) {
+      EXPECT_TRUE(why.known_by.empty()) << made.name << " is known, and a shorter run is named";
+      continue;
+    }
+    const Outcome theirs = c.entrants.find(other.solver)->solve(other.request),
+                  ours = c.entrants.find(made.solver)->solve(tests::made_request(made, c));
+    ASSERT_EQ(theirs.status, Status::ok) << made.name;
+    if (ours.status != Status::ok) {
+      EXPECT_LT(off(theirs.states, made.end), 1e-4) << made.name;
+      continue;
+    }
+    const double error = off(theirs.states, made.end), own = off(ours.states, made.end);
+    EXPECT_TRUE(error < 0.5 * own || (error <= std::max(own, made.relative) &&
+                                      theirs.counters.work < ours.counters.work))
+        << made.name << ": " << error << " in place of " << own << "\n"
+        << text_of(why, c, {made.name, ""});
+  }
 }
 
 /// What it says as a user runs it, and what its command gives.

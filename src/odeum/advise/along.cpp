@@ -190,9 +190,11 @@ void sample(Inquiry& q, const Run& along, double h) {
   const double room = 4e6 / std::pow(static_cast<double>(std::max<std::size_t>(n, 27)), 3);
   const auto most = static_cast<std::size_t>(std::clamp(room, 6.0, 200.0));
   const std::size_t apart = std::max<std::size_t>(1, along.moments.size() / most);
+  const double until = q.left() - 0.25 * q.seconds;
+  q.samples.clear();
   for (std::size_t k = 0; k < along.moments.size(); k += apart) {
     constexpr std::size_t least = 4;  // whatever time is left
-    if (q.samples.size() >= least && q.left() < 0.4 * q.seconds) break;
+    if (q.samples.size() >= least && q.left() < until) break;
     Sample s{.at = along.moments[k]};
     const std::vector<double> f = slope(q.c, s.at.t, s.at.y);
     if (!is_finite(f.data(), n)) continue;
@@ -200,14 +202,8 @@ void sample(Inquiry& q, const Run& along, double h) {
       s.at.h = h;
     else if (&along != &q.run)
       s.at.h = q.run.step_at(s.at.t);
-    s.rate = rate_at(q, s.at);
     s.spectrum = spectrum_at(q.c, s.at.t, s.at.y, q.sizes, q.trust_jacobian);
     find_binding(q, s);
-    if (q.looser && s.at.t < q.looser->ends.back()) {
-      const auto [from, to] = q.run.around(s.at.t);
-      s.looser = q.run.steps_in(from, to) / q.looser->steps_in(from, to);
-      if (q.looser_by < 1) s.looser = 1 / s.looser;
-    }
     q.samples.push_back(std::move(s));
   }
   for (std::size_t k = 0; k < q.samples.size(); ++k) {
@@ -219,6 +215,16 @@ void sample(Inquiry& q, const Run& along, double h) {
         h > 0 ? (along.ends.back() - q.c.t0) / h : static_cast<double>(along.steps());
     const double after = k + 1 == q.samples.size() ? all : 0.5 * (step(k) + step(k + 1));
     q.samples[k].weight = after - before;
+  }
+}
+
+void compare_samples(Inquiry& q) {
+  for (Sample& s : q.samples) {
+    s.rate = rate_at(q, s.at);
+    if (!q.looser || !(s.at.t < q.looser->ends.back())) continue;
+    const auto [from, to] = q.run.around(s.at.t);
+    s.looser = q.run.steps_in(from, to) / q.looser->steps_in(from, to);
+    if (q.looser_by < 1) s.looser = 1 / s.looser;
   }
 }
 

@@ -104,6 +104,45 @@ void look_at_edge(Inquiry& q) {
   q.add(Cause::stability, outside / all, first->at.t, text);
 }
 
+namespace {
+
+/// Whether the method multiplies what decays by more than 1, and far enough to explain the error.
+bool feeds_what_decays(const Inquiry& q, double off) {
+  double by_method = 0, by_problem = 0;
+  for (const Sample& s : q.samples) {
+    if (!(s.used > 1) || !(s.binding.real() < -1e-6 * std::abs(s.binding))) continue;
+    by_method += s.weight * q.region.growth(s.at.h * s.binding);
+    by_problem += s.weight * s.at.h * s.binding.real();
+  }
+  return by_method > 0.1 &&
+         std::exp(std::min(by_method, 700.0)) - std::exp(by_problem) > 0.2 * std::min(off, 1.0);
+}
+
+/// Whether a step many times as long is as exact.
+void look_for_fineness(Inquiry& q) {
+  if (!q.run.ok() || !q.known) return;
+  constexpr std::uint64_t times = 10, least_steps = 10;
+  const double enough = std::max({3 * q.difference(q.run), 1e-9, q.known->doubt});
+  Request coarser = q.run.request;
+  std::size_t found = q.others.size();
+  double longer = 1;
+  while (coarser.steps > times * least_steps && q.time_for_more(0.1)) {
+    coarser.steps /= times;
+    const std::size_t k = q.also(q.why.solver, coarser, 0.2);
+    if (!(q.difference(q.others[k]) <= enough)) break;
+    found = k;
+    longer *= times;
+  }
+  if (found == q.others.size()) return;
+  q.add(
+      Cause::too_fine, 1, q.c.t0,
+      fmt::format("the step is far finer than its error needs: one {:g} times as long ends {:.2g} "
+                  "of the solution's size away, this one {:.2g}",
+                  longer, q.difference(q.others[found]), q.difference(q.run)));
+}
+
+}  // namespace
+
 void look_at_fixed_step(Inquiry& q) {
   const double step =
       q.run.ends.size() > 1 ? q.run.ends[1] - q.run.ends[0] : step_of(q.run.request, q.c.t0);
@@ -111,13 +150,17 @@ void look_at_fixed_step(Inquiry& q) {
     if (s.used > 1) s.cause = Cause::stability;
   if (!q.samples.empty()) make_segments(q);
   const double off = q.difference(q.run), size = blown_up(q);
-  if (!(off > far_off)) return;
+  if (off <= far_off) return look_for_fineness(q);
+  if (q.run.ok()) look_for_kinks(q);
+  if (q.run.ok() && !q.found(Cause::sliding)) look_for_unseen(q);
+  if (std::isnan(off)) return look_at_amplification(q);
   look_at_energy(q, step, off);
-  if (!(size < 3) && steps_inside_help(q)) look_at_edge(q);
+  if (size < 3 ? feeds_what_decays(q, off) : steps_inside_help(q)) look_at_edge(q);
   if (q.run.outcome.status == Status::newton_failed)
     q.add(Cause::newton, nan, q.run.ends.back(),
           fmt::format("the equations of a step of {:.3g} are not solved at t = {:.6g}", step,
                       q.run.ends.back()));
+  if (q.why.findings.empty()) look_at_amplification(q);
   if (!q.why.findings.empty()) return;
   // Not unstable: does the error fall with the step as that of a coarse one does?
   Request finer = q.run.request;

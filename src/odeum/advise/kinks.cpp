@@ -7,14 +7,18 @@
 #include <utility>
 
 #include "odeum/advise/inquiry.hpp"
+#include "odeum/advise/path.hpp"
 
 namespace odeum::advise {
 namespace {
 
+/// Of the evaluations: less is not worth a word.
+constexpr double least_part = 0.04;
+
 /// f along the path from one state to another, by the part of the time between them.
-class Path {
+class Between {
  public:
-  Path(const Case& c, const Moment& from, const Moment& to)
+  Between(const Case& c, const Moment& from, const Moment& to)
       : c_(c),
         from_(from),
         to_(to),
@@ -74,15 +78,6 @@ double usual_step(const Run& run) {
   return nan;
 }
 
-/// The state a time `by` later, along the slope.
-Moment ahead_of(const Case& c, const Moment& from, double by) {
-  Moment ahead = from;
-  const std::vector<double> f = slope(c, from.t, from.y);
-  for (std::size_t i = 0; i < f.size(); ++i) ahead.y[i] += by * f[i];
-  ahead.t += by;
-  return ahead;
-}
-
 /// A jump less than `by` ahead that a path which has crossed it comes back to.
 std::optional<Kink> jump_that_holds(const Case& c, const Moment& from, double by) {
   const auto jump = kink_between(c, from, ahead_of(c, from, by));
@@ -125,16 +120,20 @@ std::vector<Kink> jumps_it_stays_at(const Inquiry& q) {
   return stays ? jumps : std::vector<Kink>();
 }
 
-bool look_for_sliding(Inquiry& q) {
-  q.kinks = jumps_it_stays_at(q);
-  if (q.kinks.empty()) return false;
-  const Kink& first = q.kinks.front();
+/// Adds it where it takes a part of the evaluations, or is where the run ends.
+bool add_sliding(Inquiry& q, const Kink& first, double until) {
   const std::vector<double>& times = q.run.trace.times;
-  const auto since = std::ranges::count_if(times, [&](double t) { return t >= first.t; });
-  q.add(Cause::sliding, static_cast<double>(since) / static_cast<double>(times.size()), first.t,
-        fmt::format("the solution stays where {}'s right-hand side jumps, from t = {:.3g} on, and "
-                    "the steps cross the jump again and again",
-                    q.names[first.component], first.t));
+  const auto since = std::ranges::count_if(
+      times, [&](double t) { return t >= first.t && t <= until + 2 * q.run.step_at(until); });
+  const double share = static_cast<double>(since) / static_cast<double>(times.size());
+  const bool ends = until >= q.run.moments.back().t;
+  if (share < least_part && !ends) return false;
+  q.add(Cause::sliding, share, first.t,
+        fmt::format("the solution stays where {}'s right-hand side jumps, from t = {:.6g} {}: both "
+                    "sides lead there, and steps cross the jump again and again",
+                    q.names[first.component], first.t,
+                    ends ? "on" : fmt::format("to {:.6g}", until)));
+  q.kinks = {first};
   return true;
 }
 
@@ -165,7 +164,7 @@ std::optional<Kink> kink_between(const Case& c, const Moment& from, const Moment
   constexpr std::size_t parts = 8;
   constexpr int most_zooms = 9, needed = 4;
   constexpr double clear = 5;
-  const Path f(c, from, to);
+  const Between f(c, from, to);
   double low = 0, high = 1;
   std::optional<std::size_t> component;
   std::vector<Bend> bends;
@@ -206,24 +205,39 @@ std::optional<Kink> kink_between(const Case& c, const Moment& from, const Moment
 void look_for_kinks(Inquiry& q) {
   const Run& run = q.run;
   const double end = run.ends.back();
-  if (look_for_sliding(q)) return;
+  double wide = usual_step(run);
+  if (!(wide > 0)) wide = 1e-3 * (run.request.stops.back() - q.c.t0);  // it failed at the start
+  q.kink_reach = wide;
+  // A run that failed may have stopped short of a change.
+  const Changed changed =
+      kinks_of_conditions(q.c, q.conditions, run.moments, wide, !run.ok(), q.sizes);
+  if (changed.stays && add_sliding(q, changed.kinks.back(), changed.until)) return;
+  if (q.conditions.count == 0)
+    if (const auto jumps = jumps_it_stays_at(q);
+        !jumps.empty() && add_sliding(q, jumps.front(), run.moments.back().t))
+      return;
   const bool ends = q.found(Cause::pole) || q.found(Cause::growth) || q.found(Cause::singular);
   const auto near_end = [&](double t) {
     return std::abs(end - t) < 1e-6 * std::max(1.0, std::abs(t));
   };
-  for (std::size_t k = 0; k + 1 < run.moments.size() && q.left() > 0.5 * q.seconds; ++k) {
+  for (const Kink& kink : changed.kinks)
+    if (!(ends && near_end(kink.t))) q.kinks.push_back(kink);
+  for (std::size_t k = 0; k + 1 < run.moments.size() && q.left() > 0.3 * q.seconds; ++k) {
     const Moment &from = run.moments[k], &to = run.moments[k + 1];
     // Less is the rounding of t.
     if (!(to.t - from.t > 1e5 * epsilon * std::abs(to.t))) continue;
+    if (std::ranges::any_of(changed.kinks,
+                            [&](const Kink& kink) { return kink.t >= from.t && kink.t <= to.t; }))
+      continue;
     const auto kink = kink_between(q.c, from, to);
     if (kink && !(ends && near_end(kink->t))) q.kinks.push_back(*kink);
   }
-  const double wide = q.kink_reach = usual_step(run);
-  if (!run.ok() && !ends) {
+  if (!run.ok() && !ends && changed.kinks.empty()) {
     // The run may have stopped short of one.
     const Moment ahead = ahead_of(q.c, run.moments.back(), wide);
     if (const auto kink = kink_between(q.c, run.moments.back(), ahead)) q.kinks.push_back(*kink);
   }
+  std::ranges::sort(q.kinks, {}, &Kink::t);
   // Those that no error test sees, as the last digit of a function, are none.
   const Tolerance& tolerance = run.request.tolerance;
   std::erase_if(q.kinks, [&](const Kink& kink) {
@@ -233,7 +247,6 @@ void look_for_kinks(Inquiry& q) {
   if (q.kinks.empty()) return;
   const auto [excess, worst] = excess_of(run, q.kinks, wide);
   const double share = std::min(1.0, excess / static_cast<double>(run.trace.times.size()));
-  constexpr double least_part = 0.04;
   if (share < least_part && (run.ok() || !near_end(worst->t))) {
     q.kinks.clear();
     return;

@@ -83,11 +83,15 @@ std::optional<WrongEntry> wrong_jacobian(const Case& c, double t, const Vector& 
     // Some hundred times the increment of least error, so that rounding is below a part in 1e4.
     const double delta = 100 * increment(k);
     const Vector above = column(c, t, y, k, delta, f), below = column(c, t, y, k, -delta, f);
+    // A jump in between gives other differences over another distance.
+    const Vector near = column(c, t, y, k, 0.3 * delta, f),
+                 beyond = column(c, t, y, k, -0.3 * delta, f);
     for (std::size_t i = 0; i < n; ++i) {
       const double middle = 0.5 * (above[i] + below[i]), entry = given[i * n + k];
       const double off = std::abs(entry - middle);
       // What the two sides differ by is not linear there, or a kink.
       const double doubt = 10 * std::abs(above[i] - below[i]) +
+                           10 * std::abs(middle - 0.5 * (near[i] + beyond[i])) +
                            1e-3 * std::max(std::abs(entry), std::abs(middle)) +
                            100 * epsilon * std::abs(f[i]) / delta;
       if (!(off > doubt) || !(off * delta > most)) continue;

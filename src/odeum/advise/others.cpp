@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The runs that a run is compared with, and which of them does better.
+// The runs that a run is compared with, and what is known of the solution by them.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "odeum/advise/inquiry.hpp"
 #include "odeum/judge/errors.hpp"
@@ -12,22 +14,25 @@
 namespace odeum::advise {
 namespace {
 
-/// Those that a run is compared with: explicit and implicit ones of several orders. Which of them
-/// does better is measured.
-constexpr std::array comparisons = {"odeum/dormand_prince853", "odeum/rodas4", "odeum/radau_iia5",
-                                    "odeum/tsitouras54"};
-/// The order in which one is taken for the truth, by its order and damping.
-constexpr std::array by_trust = {"odeum/radau_iia5", "odeum/rodas4", "odeum/dormand_prince853",
-                                 "odeum/tsitouras54"};
-/// For a fixed step, where no tolerance was asked for.
-constexpr double usual_tolerance = 1e-6;
-
-/// Evaluations, and those that Jacobians by differences would take: about ten where it is sparse.
-double work_of(const Counters& counters, const Case& c) {
-  const std::size_t each =
-      c.problem.view.sparsity ? std::min<std::size_t>(10, c.y0.size()) : c.y0.size();
-  return static_cast<double>(counters.rhs_evaluations + counters.jacobian_evaluations * each);
-}
+/// Those that a run is compared with: of each family that runs to a tolerance, explicit and
+/// implicit, of low and of high order. Which of them does better is measured, and those of another
+/// family come first, since two that agree have to be of two.
+constexpr std::array comparisons = {"cvode/bdf",
+                                    "odeum/dormand_prince853",
+                                    "odeum/radau_iia5",
+                                    "odeum/rodas4",
+                                    "odeum/tsitouras54",
+                                    "cvode/adams",
+                                    "odeum/verner98",
+                                    "odeum/rodas5p",
+                                    "odeum/radau_iia_variable",
+                                    "odeum/gragg_bulirsch_stoer",
+                                    "odeum/sdirk4",
+                                    "odeum/taylor"};
+/// Two runs agree to a part of the sizes that is well below what is said of a run.
+constexpr double agreed = 0.25 * far_off;
+/// How many runs to a tighter tolerance are made to find two that agree.
+constexpr std::size_t most_tight = 6;
 
 Request comparable(const Inquiry& q) {
   Request request = q.run.request;
@@ -37,22 +42,138 @@ Request comparable(const Inquiry& q) {
   return request;
 }
 
-/// Whether another run is what to do instead: it ends well, in less than half of the work or with
-/// less than half of the error of one that is far off.
-bool is_better(const Inquiry& q, const Other& other) {
-  if (other.status != Status::ok) return false;
-  // Where the solution ends before, a run that ends before it does.
-  if (other.reached < q.run.request.stops.back()) return !q.run.ok();
-  const bool known = !std::isnan(other.error) && !std::isnan(q.why.error);
-  const double theirs = known ? other.error : other.difference,
-               ours = known ? q.why.error : q.difference(q.run);
-  if (q.difference(q.run) > far_off) return !(theirs > 0.5 * ours);
-  if (!q.run.ok()) return true;
-  return work_of(other.counters, q.c) < 0.5 * work_of(q.why.outcome.counters, q.c) &&
-         !(theirs > std::max(3 * ours, 1e-3 * far_off));
+/// The same to a hundredth of the tolerance, of each component by its own size.
+Request tighter(const Inquiry& q) {
+  Request request = comparable(q);
+  const double relative = of_two_digits(std::max(1e-13, 1e-2 * request.tolerance.relative));
+  constexpr std::size_t few = 16;  // a command names each
+  if (q.sizes.size() > few) {
+    request.tolerance = request.tolerance.with_relative(relative);
+    return request;
+  }
+  std::vector<double> absolute;
+  for (std::size_t i = 0; i < q.sizes.size(); ++i)
+    absolute.push_back(
+        q.sizes[i] > 0
+            ? of_two_digits(std::min(relative * q.sizes[i], 0.01 * request.tolerance.absolute(i)))
+            : 0.01 * request.tolerance.absolute(i));
+  request.tolerance = Tolerance(relative, absolute);
+  return request;
+}
+
+const double* end_of(const Run& run, std::size_t n) {
+  return run.outcome.states.data() + run.outcome.states.size() - n;
+}
+
+std::string family_of(const Inquiry& q, const std::string& solver) {
+  return q.c.entrants.find(solver)->info.family;
+}
+
+/// Of the rows those that came to the end, the nearest first where the end is known, else the
+/// cheapest.
+std::vector<std::size_t> in_order(const Inquiry& q) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < q.others.size(); ++k)
+    if (q.others[k].ok())
+      order.emplace_back(
+          q.known ? q.difference(q.others[k]) : work_of(q.others[k].outcome.counters, q.c), k);
+  std::ranges::sort(order);
+  std::vector<std::size_t> rows;
+  for (const auto& [key, k] : order) rows.push_back(k);
+  return rows;
+}
+
+/// Of the truth, at the end of the run; nothing where it is not known there.
+std::optional<Known> by_truth(const Inquiry& q) {
+  Known known{std::vector<double>(q.c.y0.size()), 0, "the truth"};
+  const double end = q.run.request.stops.back();
+  if (!q.c.truth.at || !q.c.truth.at(end, known.end.data())) return {};
+  if (!is_finite(known.end.data(), known.end.size())) return {};  // the solution has ended
+  return known;
+}
+
+/// A run along the solution whose end is known: one of the rows, or one to a tighter tolerance.
+void follow(Inquiry& q) {
+  std::optional<Run> nearest;
+  std::set<std::string> families;
+  for (const std::size_t k : in_order(q)) {
+    const std::string solver = q.others[k].solver, family = family_of(q, solver);
+    if (!families.insert(family).second || families.size() > 3 || !q.time_for_more(0.35)) continue;
+    Run tight = q.make(q.c, solver, tighter(q), states_along(q), 0.3);
+    if (tight.ok()) q.keep(tight);
+    if (tight.ok() && (!nearest || q.difference(tight) < q.difference(*nearest)))
+      nearest = std::move(tight);
+    if (nearest && q.difference(*nearest) <= agreed) break;
+  }
+  const std::vector<std::size_t> rows = in_order(q);
+  if (!rows.empty() && (!nearest || q.difference(*nearest) > agreed)) {
+    Run along = q.along(q.others[rows.front()]);
+    if (along.ok() && (!nearest || q.difference(along) < q.difference(*nearest)))
+      nearest = std::move(along);
+  }
+  // Equal steps miss nothing that is as long as they are.
+  for (const std::uint64_t steps : {20'000ULL, 500'000ULL}) {
+    if ((nearest && q.difference(*nearest) <= far_off) || !q.time_for_more(0.35)) break;
+    const Entrant* const rk4 = q.c.entrants.find("odeum/rk4");
+    if (!rk4 || !rk4->unfit.empty()) break;
+    Request request = q.run.request;
+    request.mode = Mode::fixed;
+    request.steps = nearest_multiple(static_cast<double>(steps), q.c.settings.steps_multiple);
+    Run run = q.make(q.c, "odeum/rk4", request, states_along(q), 0.2);
+    if (run.ok()) q.keep(run);
+    if (run.ok() && (!nearest || q.difference(run) < q.difference(*nearest)))
+      nearest = std::move(run);
+  }
+  if (nearest && q.difference(*nearest) <= far_off) q.trusted = std::move(nearest);
+}
+
+/// Looks for two runs of different families that agree.
+void agree(Inquiry& q) {
+  std::vector<Run> tight;
+  const auto take = [&](Run run) {
+    if (!run.ok() || has_unseen(q, run)) return false;
+    for (Run& other : tight) {
+      if (family_of(q, other.solver) == family_of(q, run.solver)) continue;
+      const double apart = q.apart(run, other);
+      if (!(apart <= agreed)) continue;
+      const double* const end = end_of(run, q.c.y0.size());
+      q.known = Known{
+          {end, end + q.c.y0.size()}, apart, fmt::format("{} and {}", other.solver, run.solver)};
+      q.trusted = std::move(run);
+      return true;
+    }
+    tight.push_back(std::move(run));
+    return false;
+  };
+  for (const std::size_t k : in_order(q)) {
+    if (tight.size() >= most_tight || !q.time_for_more(0.35)) break;
+    Run run = q.make(q.c, q.others[k].solver, tighter(q), states_along(q), 0.25);
+    if (run.ok()) q.keep(run);
+    if (take(std::move(run))) return;
+  }
+  // Where the tighter ones could not be paid for.
+  if (tight.size() >= 2) {
+    q.disagree = std::pair(std::move(tight[0]), std::move(tight[1]));
+    return;
+  }
+  for (const std::size_t k : in_order(q)) {
+    if (!q.time_for_more(0.25)) break;
+    if (take(q.along(q.others[k]))) return;
+  }
 }
 
 }  // namespace
+
+double work_of(const Counters& counters, const Case& c) {
+  const std::size_t each =
+      c.problem.view.sparsity ? std::min<std::size_t>(10, c.y0.size()) : c.y0.size();
+  return static_cast<double>(counters.rhs_evaluations + counters.jacobian_evaluations * each);
+}
+
+std::size_t states_along(const Inquiry& q) {
+  constexpr std::size_t most = 400, numbers = 100'000;
+  return std::clamp<std::size_t>(numbers / q.c.y0.size(), 60, most);
+}
 
 double Inquiry::error_at_end(const Request& request, const Outcome& outcome) const {
   if (outcome.status != Status::ok || !c.truth.at) return nan;
@@ -63,137 +184,99 @@ double Inquiry::error_at_end(const Request& request, const Outcome& outcome) con
 
 void Inquiry::find_sizes(const Run& from) {
   sizes.assign(c.y0.size(), 0);
-  for (const Moment& at : from.moments)
+  const auto extend = [&](const std::vector<double>& y) {
     for (std::size_t i = 0; i < sizes.size(); ++i)
-      if (std::isfinite(at.y[i])) sizes[i] = std::max(sizes[i], std::abs(at.y[i]));
+      if (std::isfinite(y[i])) sizes[i] = std::max(sizes[i], std::abs(y[i]));
+  };
+  if (c.truth.closed_form) {
+    constexpr int looks = 200;
+    std::vector<double> y = c.y0;
+    for (int k = 0; k <= looks; ++k)
+      if (c.truth.at(c.t0 + (run.request.stops.back() - c.t0) * k / looks, y.data())) extend(y);
+  } else {
+    for (const Moment& at : from.moments) extend(at.y);
+  }
   // A component that is the rounding of others has no size of its own.
   const double least = 16 * epsilon * *std::ranges::max_element(sizes);
   for (double& size : sizes)
     if (size < least) size = 0;
 }
 
-Run Inquiry::along(const Run& of) const { return make(c, of.solver, of.request, 60, 0.3); }
+Run Inquiry::along(const Run& of) const {
+  return make(c, of.solver, of.request, states_along(*this), 0.3);
+}
 
 std::size_t Inquiry::also(const std::string& solver, const Request& request, double share) {
-  others.push_back(make(c, solver, request, 0, share));
+  keep(make(c, solver, request, 0, share));
+  return others.size() - 1;
+}
+
+void Inquiry::keep(const Run& from) {
+  others.push_back(from);
   Run& made = others.back();
+  const Request& request = from.request;
   made.trace.times = {};  // nothing asks for them
-  Other other{.solver = solver,
+  made.moments.resize(1);
+  Other other{.solver = made.solver,
               .request = request,
               .status = made.outcome.status,
               .counters = made.outcome.counters,
               .reached = made.ends.back()};
   if (made.ok()) other.reached = request.stops.back();
   other.error = error_at_end(request, made.outcome);
+  other.request.record_steps = false;
   why.others.push_back(std::move(other));
-  return others.size() - 1;
 }
 
-double Inquiry::difference(const Run& of) const {
-  if (!trusted) return nan;
-  if (!of.ok()) return infinity;
-  if (of.request.stops.back() != trusted->request.stops.back()) return nan;
-  const std::size_t n = c.y0.size();
-  const double *const exact = trusted->outcome.states.data() + trusted->outcome.states.size() - n,
-                      *const end = of.outcome.states.data() + of.outcome.states.size() - n;
+double Inquiry::distance(const double* one, const double* other) const {
   double most = 0;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (!(sizes[i] > 0)) continue;
-    const double each = std::abs(end[i] - exact[i]) / sizes[i];
+    const double each = std::abs(one[i] - other[i]) / sizes[i];
     if (!(each <= most)) most = each;
   }
   return most;
 }
 
-const Run& farthest(const Inquiry& q) {
-  // A fixed step goes past the end of a solution.
-  const Run* best = q.adaptive() || q.others.empty() ? &q.run : &q.others.front();
-  for (const Run& other : q.others)
-    if (other.ends.back() > best->ends.back()) best = &other;
-  return *best;
+double Inquiry::apart(const Run& one, const Run& other) const {
+  return distance(end_of(one, c.y0.size()), end_of(other, c.y0.size()));
 }
+
+double Inquiry::difference(const Run& of) const {
+  if (!known) return nan;
+  if (!of.ok()) return infinity;
+  if (of.request.stops.back() != run.request.stops.back()) return nan;
+  return distance(end_of(of, c.y0.size()), known->end.data());
+}
+
+bool Inquiry::time_for_more(double share) const { return left() > share * seconds; }
 
 void try_others(Inquiry& q) {
+  // Few evaluations at first: whoever needs ten times those of another is none to compare with.
+  constexpr std::uint64_t least = 200'000, times = 5;
+  std::uint64_t most = 5'000'000;
   for (const char* id : comparisons) {
     const Entrant* const entrant = q.c.entrants.find(id);
-    if (id == q.why.solver && q.adaptive()) continue;
-    if (entrant && entrant->unfit.empty()) q.also(id, comparable(q), 0.15);
+    if (!entrant || !entrant->unfit.empty() || (id == q.why.solver && q.adaptive())) continue;
+    if (!q.time_for_more(0.6)) break;
+    Request request = comparable(q);
+    request.budget.evaluations = most;
+    const Run& made = q.others[q.also(id, request, 0.12)];
+    q.progress.advance();
+    if (made.ok())
+      most = std::min(most, std::max(least, times * made.outcome.counters.rhs_evaluations));
   }
-  const Run* best = nullptr;
-  for (const char* id : by_trust)
-    for (const Run& other : q.others)
-      if (!best && other.solver == id && other.ok()) best = &other;
-  if (!best && q.run.ok()) best = &q.run;
-  if (!best) {
-    q.find_sizes(q.run);
-    return;
+  const std::vector<std::size_t> rows = in_order(q);
+  if (!rows.empty()) q.find_sizes(q.along(q.others[rows.front()]));
+  if (q.known = by_truth(q); q.known) {
+    // All of them may have missed what makes a component grow.
+    for (std::size_t i = 0; i < q.sizes.size(); ++i)
+      if (q.sizes[i] == 0) q.sizes[i] = std::abs(q.known->end[i]);
+    follow(q);
+  } else {
+    agree(q);
   }
-  q.find_sizes(best == &q.run ? q.run : q.along(*best));
-  // The same to a hundredth of the tolerance, of each component by its own size.
-  Request tighter = comparable(q);
-  const double relative = std::max(1e-13, 1e-2 * tighter.tolerance.relative);
-  std::vector<double> absolute;
-  for (std::size_t i = 0; i < q.sizes.size(); ++i)
-    absolute.push_back(q.sizes[i] > 0 ? relative * q.sizes[i] : tighter.tolerance.absolute(i));
-  tighter.tolerance = Tolerance(relative, absolute);
-  Run trusted = q.make(q.c, best->solver, tighter, 60, 0.3);
-  q.sure = trusted.ok();
-  if (!trusted.ok() && best != &q.run) trusted = q.along(*best);
-  if (!trusted.ok()) return;
-  q.find_sizes(trusted);
-  q.trusted = std::move(trusted);
-}
-
-void choose(Inquiry& q) {
-  for (std::size_t k = 0; k < q.others.size(); ++k)
-    q.why.others[k].difference = q.difference(q.others[k]);
-  // Those that are near the solution come before those that are only nearer than the run.
-  std::pair least{true, infinity};
-  for (std::size_t k = 0; k < q.why.others.size(); ++k) {
-    const Other& other = q.why.others[k];
-    const std::pair cost{q.sure && other.difference > far_off, work_of(other.counters, q.c)};
-    if (is_better(q, other) && cost < least) least = cost, q.why.better = k;
-  }
-}
-
-void try_settings(Inquiry& q) {
-  Request request = q.run.request;
-  request.record_steps = false;
-  const double t0 = q.c.t0, end = request.stops.back();
-  const auto worth = [&](Cause cause) { return q.found(cause) && q.left() > 0.1 * q.seconds; };
-  if (worth(Cause::rounding)) {
-    request.tolerance =
-        q.run.request.tolerance.with_relative(std::max(1e-12, request.tolerance.relative));
-    q.also(q.why.solver, request, 0.3);
-  } else if (worth(Cause::absolute)) {
-    std::vector<double> absolute(q.sizes.size());
-    for (std::size_t i = 0; i < absolute.size(); ++i)
-      absolute[i] = std::min(request.tolerance.absolute(i),
-                             q.sizes[i] > 0 ? request.tolerance.relative * q.sizes[i] : infinity);
-    request.tolerance = Tolerance(request.tolerance.relative, absolute);
-    q.also(q.why.solver, request, 0.3);
-  }
-  if (worth(Cause::kink)) {
-    // Steps that end there see a smooth right-hand side on either side.
-    request = q.run.request;
-    request.stops.clear();
-    for (const Kink& kink : q.kinks)
-      if (kink.t > t0 && kink.t < end) request.stops.push_back(kink.t);
-    request.stops.push_back(end);
-    const Outcome parts = q.make(q.c, q.why.solver, request, 0, 0.3).outcome;
-    if (parts.status == Status::ok &&
-        parts.counters.rhs_evaluations < q.why.outcome.counters.rhs_evaluations)
-      q.why.advice = fmt::format("with steps that end at the kinks the run takes {} evaluations",
-                                 parts.counters.rhs_evaluations);
-  }
-  for (const Finding& finding : q.why.findings)
-    if (finding.cause == Cause::pole || finding.cause == Cause::singular) {
-      request = q.run.request;
-      request.record_steps = false;
-      request.stops = {t0 + 0.99 * (std::min(finding.from, end) - t0)};
-      if (request.stops.front() > t0) q.also(q.why.solver, request, 0.3);
-      break;
-    }
+  if (q.trusted) q.find_sizes(*q.trusted);
 }
 
 }  // namespace odeum::advise

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "odeum/advise/local.hpp"
@@ -9,7 +10,8 @@
 namespace odeum::advise {
 namespace {
 
-constexpr double first_distance = 1e-2, last_distance = 1e3, ratio = 1.2, width = 1.005;
+constexpr double first_distance = 1e-2, least_distance = 1e-5, last_distance = 1e3, ratio = 1.2,
+                 width = 1.005;
 
 }  // namespace
 
@@ -39,12 +41,17 @@ double Region::growth(std::complex<double> z) const {
 double Region::measure(std::complex<double> direction) const {
   const auto grows = [&](double x) { return at(x * direction).grows(); };
   double inside = 0, outside = first_distance;
+  while (grows(outside)) {
+    // A method that grows everywhere on the axis does so below rounding near zero.
+    const bool on_axis = std::abs(direction.real()) < 1e-6;
+    if (on_axis || outside < least_distance) return 0;
+    outside /= ratio;
+  }
   while (!grows(outside)) {
     inside = outside;
     outside *= ratio;
     if (outside > last_distance) return infinity;
   }
-  if (inside == 0) return 0;
   while (outside > width * inside) {
     const double middle = std::sqrt(inside * outside);
     (grows(middle) ? outside : inside) = middle;
@@ -55,14 +62,21 @@ double Region::measure(std::complex<double> direction) const {
 double Region::edge(std::complex<double> lambda) {
   if (!entrant_ || lambda == 0.0) return nan;
   if (oscillator_ && lambda.real() > 1e-6 * std::abs(lambda)) return nan;
-  // To half a degree.
-  const long degrees =
-      std::lround(2 * std::abs(std::arg(lambda)) * 180 / std::numbers::pi_v<double>);
-  const auto [at, fresh] = known_.try_emplace(degrees, nan);
-  if (fresh) {
-    const double angle = static_cast<double>(degrees) * std::numbers::pi_v<double> / 360;
-    at->second = measure(degrees == 180 ? std::complex<double>(0, 1) : std::polar(1.0, angle));
+  // Near the imaginary axis the edge of some methods is in proportion to the distance from it.
+  constexpr double half_degrees = 360 / std::numbers::pi_v<double>, on_axis = 1e-6,
+                   of_a_ratio = 100;
+  const double tilt = -lambda.real() / std::abs(lambda);
+  long key = std::lround(half_degrees * std::abs(std::arg(lambda)));
+  double angle = static_cast<double>(key) / half_degrees;
+  if (std::abs(tilt) < on_axis) {
+    key = std::numeric_limits<long>::min();
+    angle = 0.5 * std::numbers::pi_v<double>;
+  } else if (tilt > 0 && tilt < 0.1) {
+    key = std::lround(of_a_ratio * std::log(tilt));
+    angle = std::numbers::pi_v<double> - std::acos(std::exp(static_cast<double>(key) / of_a_ratio));
   }
+  const auto [at, fresh] = known_.try_emplace(key, nan);
+  if (fresh) at->second = measure(std::polar(1.0, angle));
   return at->second;
 }
 

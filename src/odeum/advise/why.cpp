@@ -6,34 +6,60 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "odeum/advise/inquiry.hpp"
 #include "odeum/core/clocks.hpp"
+#include "odeum/isolated/isolated_times.hpp"
 
 namespace odeum::advise {
 const char* name_of(Cause cause) {
-  constexpr std::array names{"accuracy",       "stability", "kink",     "sliding",
-                             "pole",           "growth",    "singular", "domain",
-                             "wrong_jacobian", "rounding",  "absolute", "energy",
-                             "too_coarse",     "astray",    "newton",   "unfit"};
+  constexpr std::array names{
+      "accuracy", "stability",      "kink",     "sliding", "pole",     "growth",        "singular",
+      "domain",   "wrong_jacobian", "rounding", "pulse",   "aliasing", "amplification", "absolute",
+      "energy",   "too_coarse",     "too_fine", "astray",  "newton",   "unfit"};
   return names[static_cast<std::size_t>(cause)];
 }
 
+namespace {
+
+/// Of the processor, by this program and what solves in processes of its own.
+double used_seconds() {
+  timespec used{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec) +
+         isolated_times.processor_s;
+}
+
+}  // namespace
+
 Inquiry::Inquiry(const Case& given, const std::string& solver, const Request& request,
-                 double seconds_given)
-    : c(given), seconds(seconds_given), names(component_names(given)), region(solver) {
+                 double seconds_given, cases::Conditions conditions_given)
+    : c(given),
+      conditions(std::move(conditions_given)),
+      seconds(seconds_given),
+      processor_start(used_seconds()),
+      names(component_names(given)),
+      region(solver) {
   why.solver = solver;
   why.request = request;
   run.request = request;
 }
 
-double Inquiry::left() const { return seconds - seconds_since(start); }
+double Inquiry::left() const {
+  constexpr double most_by_the_clock = 3;
+  return seconds -
+         std::max(used_seconds() - processor_start, seconds_since(start) / most_by_the_clock);
+}
 
 Run Inquiry::make(const Case& on, const std::string& solver, Request request, std::size_t moments,
                   double share) const {
   request.budget.evaluations = std::min<std::uint64_t>(request.budget.evaluations, 5'000'000);
-  // To a tenth, since a message has it.
-  request.budget.seconds = std::max(0.1, 0.1 * std::floor(5 * share * left()));
+  // Of the clock, which other programs stretch; to a tenth, since a message has it.
+  const double used = used_seconds() - processor_start, wall = seconds_since(start),
+               crowding = used > 0.1 ? std::clamp(wall / used, 1.0, 3.0) : 1;
+  request.budget.seconds = std::min(request.budget.seconds,
+                                    std::max(0.1, std::floor(5 * share * crowding * left()) / 10));
   return record(on, solver, request, moments);
 }
 
@@ -53,11 +79,12 @@ void look_at_steps(Inquiry& q) {
   Request looser = q.run.request;
   q.looser_by = looser.tolerance.relative > 1e-3 ? 0.01 : 100;
   looser.tolerance = looser.tolerance.with_relative(q.looser_by * looser.tolerance.relative);
-  q.looser = q.make(q.c, q.why.solver, looser, 0, 0.3);
+  q.looser = q.make(q.c, q.why.solver, looser, 0, 0.2);
   q.looser->trace.times = {};
   look_for_kinks(q);
+  if (q.run.ok() && !q.found(Cause::sliding)) look_for_unseen(q);
   look_at_tolerances(q);
-  sample(q, q.run, 0);
+  compare_samples(q);
   share_out(q);
   const bool explained = std::ranges::any_of(q.why.findings, [](const Finding& finding) {
     return finding.cause != Cause::accuracy && finding.cause != Cause::stability;
@@ -67,19 +94,44 @@ void look_at_steps(Inquiry& q) {
           fmt::format(
               "the equations of a step are not solved at t = {:.6g}, down to a step of {:.2g}",
               q.run.ends.back(), q.run.step_at(q.run.ends.back())));
-  if (q.run.ok() && q.sure && !explained && q.difference(q.run) > far_off) look_for_leaving(q);
-  if (q.run.ok() || q.run.outcome.status == Status::over_budget || !q.trusted || explained) return;
+  if (q.run.ok()) {
+    const bool missed = q.found(Cause::pulse) || q.found(Cause::aliasing);
+    if (!missed && !q.found(Cause::absolute)) look_at_amplification(q);
+    // Where no tolerance helps, a run that ends near the solution does so by chance.
+    if (q.trusted && !explained && !q.no_tolerance_helps() && q.difference(q.run) > far_off)
+      look_for_leaving(q);
+    return;
+  }
+  if (q.run.outcome.status == Status::over_budget || !q.trusted || explained) return;
   // Its own states may have been far from the solution already.
-  q.samples.clear();
   sample(q, *q.trusted, 0);
+  compare_samples(q);
   std::erase_if(q.samples, [&](const Sample& s) { return s.at.t > q.run.ends.back(); });
   look_at_edge(q);
 }
 
+/// Causes of a failure are found first and stay so. Of a run that ended what harms it leads where
+/// it is far off, and then the largest share; that the error test bounds steps is as it should be,
+/// and a defect comes before it.
+void put_in_order(Inquiry& q) {
+  const bool off = !(q.difference(q.run) <= 10 * wanted(q));
+  const auto weight = [&](const Finding& f) {
+    constexpr std::array harms{Cause::sliding,  Cause::astray,   Cause::pulse,
+                               Cause::aliasing, Cause::absolute, Cause::amplification};
+    if (off && std::ranges::find(harms, f.cause) != harms.end())
+      return f.cause == Cause::amplification && !q.no_tolerance_helps() ? 1.5 : 2.0;
+    if (std::isnan(f.share)) return 0.6;
+    return f.cause == Cause::accuracy ? 0.5 * f.share : f.share;
+  };
+  std::ranges::stable_sort(
+      q.why.findings, [&](const Finding& a, const Finding& b) { return weight(a) > weight(b); });
+}
+
 }  // namespace
 
-Why why(const Case& c, const std::string& solver, const Request& request, double seconds) {
-  Inquiry q(c, solver, request, seconds);
+Why why(const Case& c, const std::string& solver, const Request& request, double seconds,
+        cases::Conditions conditions) {
+  Inquiry q(c, solver, request, seconds, std::move(conditions));
   const Entrant* const entrant = c.entrants.find(solver);
   if (!entrant || !entrant->unfit.empty()) {
     q.run.outcome.status = q.why.outcome.status = Status::refused;
@@ -90,7 +142,8 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
     choose(q);
     return q.why;
   }
-  q.run = q.make(c, solver, request, 200, 0.3);
+  q.run = q.make(c, solver, request, states_along(q), 0.25);
+  q.progress.advance();
   q.why.outcome = q.run.outcome;
   q.why.outcome.states.clear();
   q.why.reached = q.run.ok() ? request.stops.back() : q.run.ends.back();
@@ -99,6 +152,11 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
     q.why.steps_left = (request.stops.back() - q.why.reached) / q.run.step_at(q.why.reached);
   q.why.error = q.error_at_end(request, q.run.outcome);
   if (q.run.outcome.status == Status::refused) q.add(Cause::unfit, nan, nan, q.run.outcome.detail);
+  q.find_sizes(q.run);
+  look_at_jacobian(q);
+  const double step = q.adaptive() ? 0 : step_of(request, c.t0);
+  sample(q, q.run, step);
+  q.progress.advance();
   try_others(q);
   // Where others reach the end, so does the solution, and a run that was cut short says no more;
   // nor does a fixed step about where it ends.
@@ -109,26 +167,22 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
     else if (q.adaptive() && !unpaid)
       look_for_leaving(q);
   }
-  look_at_jacobian(q);
   if (q.adaptive()) {
     look_at_steps(q);
-  } else if (q.trusted) {
-    sample(q, *q.trusted, step_of(request, c.t0));
+  } else if (q.known || q.run.ok()) {
+    // Those of a run that is far off are not those of the solution.
+    if (q.trusted && !(q.difference(q.run) <= far_off)) sample(q, *q.trusted, step);
+    compare_samples(q);
     look_at_fixed_step(q);
   }
-  // Causes of a failure are found first and stay so. Of a run that ended the largest share leads;
-  // that the error test bounds steps is as it should be, and a defect comes before it.
-  if (q.run.ok() || unpaid)
-    std::ranges::stable_sort(q.why.findings, [](const Finding& a, const Finding& b) {
-      const auto weight = [](const Finding& f) {
-        if (std::isnan(f.share)) return 0.6;
-        return f.cause == Cause::accuracy ? 0.5 * f.share : f.share;
-      };
-      return weight(a) > weight(b);
-    });
+  if (q.run.ok() || unpaid) put_in_order(q);
   try_settings(q);
   choose(q);
   q.why.difference = q.difference(q.run);
+  if (q.known) {
+    q.why.known_by = q.known->by;
+    q.why.doubt = q.known->doubt;
+  }
   return q.why;
 }
 

@@ -6,6 +6,7 @@
 
 #include "odeum/advise/local.hpp"
 #include "odeum/advise/recording.hpp"
+#include "odeum/cases/conditions.hpp"
 
 /// What a run spends its steps on, why it failed, and what does better: by this run, by measuring
 /// along it, and by other runs. Nothing is concluded from a name, a family or a tag.
@@ -22,9 +23,13 @@ enum class Cause {
   domain,          ///< the right-hand side is not defined at a state that the solver tried
   wrong_jacobian,  ///< differences of the right-hand side deny the one given
   rounding,        ///< the tolerance is at the rounding of the state
+  pulse,           ///< the run steps over a time at which the right-hand side is another
+  aliasing,        ///< the right-hand side turns round and back within single steps
+  amplification,   ///< the problem itself makes errors grow
   absolute,        ///< an absolute tolerance is above the size of a component
   energy,          ///< each step multiplies the energy of an undamped motion
   too_coarse,      ///< a fixed step that does not resolve the solution
+  too_fine,        ///< a fixed step far shorter than its error needs
   astray,          ///< the run left the solution, which others follow to the end
   newton,          ///< the iteration of an implicit step does not converge
   unfit,           ///< the solver can't make this run
@@ -57,8 +62,8 @@ struct Other {
   Status status = Status::ok;
   Counters counters = {};
   double reached = nan;
-  double error = nan;  ///< where the solution is known
-  /// From the run that is trusted at its end, over the sizes of the components, the largest.
+  double error = nan;  ///< where the truth is known
+  /// From what is known of the solution at its end, over the sizes of the components, the largest.
   double difference = nan;
 };
 
@@ -68,6 +73,8 @@ struct Why {
   Outcome outcome;
   double error = nan, reached = nan;
   double difference = nan;  ///< see Other
+  std::string known_by;     ///< the truth, or two runs that agree; empty: nothing is known
+  double doubt = 0;         ///< by how much those differ
   double steps_left = 0;    ///< to the end, as long as the last ones
   bool exact_steps = true;
   std::vector<Finding> findings;  ///< the main one first
@@ -78,8 +85,9 @@ struct Why {
 };
 
 /// `solver` is one that the case has; `request` that of `odeum run`, its budget aside. Throws
-/// Interrupted.
-Why why(const Case& c, const std::string& solver, const Request& request, double seconds);
+/// Interrupted. `conditions`: those of the equations, where they are known.
+Why why(const Case& c, const std::string& solver, const Request& request, double seconds,
+        cases::Conditions conditions = {});
 
 /// The first line: what and how much of it.
 std::string first_line(const Why& why);

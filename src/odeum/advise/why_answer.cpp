@@ -72,20 +72,34 @@ std::string compared(const Why& why) {
   if (why.outcome.status != Status::ok)
     return fmt::format("; it takes {} steps to t = {:.4g}, where {} takes {} to the end",
                        ours.steps, why.reached, name, theirs.steps);
-  const bool nearer = other.difference < 0.5 * why.difference && why.difference > 1e-3;
-  if (theirs.steps >= ours.steps && nearer)
+  const bool nearer = other.difference < 0.5 * why.difference;
+  if (nearer && why.difference > 1e-3)
     return fmt::format(
-        "; it ends {:.2g} of the solution's size away, and {} ends {:.1g} away in {} steps",
-        why.difference, name, other.difference, theirs.steps);
-  std::string text =
-      theirs.steps < ours.steps
-          ? fmt::format("; {} steps where {} takes {}", ours.steps, name, theirs.steps)
-          : fmt::format("; {} evaluations where {} takes {}", ours.rhs_evaluations, name,
-                        theirs.rhs_evaluations);
-  if (nearer)
-    text += fmt::format(" and ends {:.1g} of the solution's size away, not {:.2g}",
-                        other.difference, why.difference);
-  return text;
+        "; it ends {:.2g} of the solution's size away, and {} ends {:.1g} away in {} "
+        "steps",
+        why.difference, name, std::max(other.difference, why.doubt), theirs.steps);
+  if (theirs.steps < ours.steps)
+    return fmt::format("; {} steps where {} takes {}", ours.steps, name, theirs.steps);
+  return fmt::format("; {} evaluations where {} takes {}{}", ours.rhs_evaluations, name,
+                     theirs.rhs_evaluations, nearer ? " and ends nearer to the solution" : "");
+}
+
+/// What distances are measured from.
+std::string measure_of(const Why& why) {
+  if (why.known_by.empty())
+    return "measure        none: neither is the truth known at the end, nor do two runs of "
+           "different families agree there\n";
+  return fmt::format(
+      "measure        the end of {}{}; `off` is the largest distance of a component "
+      "over its size\n",
+      why.known_by, why.doubt > 0 ? fmt::format(", which agree to {:.1g}", why.doubt) : "");
+}
+
+/// How far a run is off, as far as that is known.
+std::string off_text(double difference, const Why& why) {
+  if (!std::isfinite(difference)) return "";
+  return difference < why.doubt ? fmt::format(", off below {:.1g}", why.doubt)
+                                : fmt::format(", off {:.2g}", difference);
 }
 
 }  // namespace
@@ -151,9 +165,10 @@ std::string text_of(const Why& why, const Case& c, const Asked& asked) {
   text += fmt::format("run            {} {}\n", why.solver, setting_of(why.request, c));
   text += fmt::format("status         {}{}{}\n", to_string(why.outcome.status),
                       why.outcome.detail.empty() ? "" : ": ", why.outcome.detail);
-  text += fmt::format("cost           {} to t = {:.6g}{}\n", counts_of(why.outcome.counters),
+  text += fmt::format("cost           {} to t = {:.6g}{}{}\n", counts_of(why.outcome.counters),
                       why.reached,
-                      std::isnan(why.error) ? "" : fmt::format(", error {:.3g}", why.error));
+                      std::isnan(why.error) ? "" : fmt::format(", error {:.3g}", why.error),
+                      off_text(why.difference, why));
   if (why.outcome.status == Status::over_budget)
     text +=
         fmt::format("               some {:.2g} more steps to the end, of the length of the last\n",
@@ -168,15 +183,20 @@ std::string text_of(const Why& why, const Case& c, const Asked& asked) {
     text +=
         "steps          their ends are not told by the solver: they are taken from its "
         "evaluations\n";
+  text += measure_of(why);
   for (const Other& other : why.others)
-    text +=
-        fmt::format("tried          {} {}: {}, {}{}\n", other.solver, setting_of(other.request, c),
-                    to_string(other.status), counts_of(other.counters),
-                    std::isnan(other.error) ? "" : fmt::format(", error {:.3g}", other.error));
+    text += fmt::format("tried          {} {}: {}, {}{}{}\n", other.solver,
+                        setting_of(other.request, c), to_string(other.status),
+                        counts_of(other.counters),
+                        std::isnan(other.error) ? "" : fmt::format(", error {:.3g}", other.error),
+                        off_text(other.difference, why));
   if (!why.advice.empty()) text += fmt::format("besides        {}\n", why.advice);
   const std::string command = command_of(why, c, asked);
-  return text + (command.empty() ? "next           none of those tried does better\n"
-                                 : fmt::format("next           {}\n", command));
+  return text +
+         (command.empty()
+              ? "next           none of those tried ends near the solution for less work, or "
+                "nearer to it\n"
+              : fmt::format("next           {}\n", command));
 }
 
 Json json_of(const Why& why, const Case& c, const Asked& asked) {
@@ -195,6 +215,8 @@ Json json_of(const Why& why, const Case& c, const Asked& asked) {
   json["reached"] = why.reached;
   json["error"] = why.error;
   json["difference"] = why.difference;
+  json["known_by"] = why.known_by;
+  json["doubt"] = why.doubt;
   counters(json, why.outcome.counters);
   json["causes"] = Json::array();
   for (const Finding& finding : why.findings)

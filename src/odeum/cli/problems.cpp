@@ -11,6 +11,7 @@
 #include "odeum/cases/foreign_case.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cases/text_case.hpp"
+#include "odeum/cli/conditions.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/formula/cache.hpp"
@@ -144,6 +145,21 @@ std::string struct_of(const std::string& what, const ProblemOptions& options, co
     throw UsageError("--code: {}", error.what());
   }
   return {};
+}
+
+cases::Conditions conditions_of(const std::string& what, const ProblemOptions& options,
+                                const Case& c) {
+  const formula::Overrides set = overrides_of(options.sets);
+  if (is_problem_file(what) && !is_fmu(what)) {
+    const std::string text = formula::problem_text(what);
+    std::vector<Statement> statements = cases::text_statements(what, text, stem_of(what), set);
+    keep_chosen(what, options.chosen, statements);
+    cases::CaseText read({what, text, statements.front().id, set});
+    return cases::conditions_of(read.problem());
+  }
+  const cases::BuiltInText* const text = cases::built_in_text_of(c.id);
+  if (!text) return {};
+  return cases::conditions_of(cases::CaseText(cases::source_of(*text, c.id, set)).problem());
 }
 
 std::string SceneSource::read(std::size_t most_bytes, const std::string& raise) const {

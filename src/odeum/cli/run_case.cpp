@@ -10,6 +10,7 @@
 
 #include "odeum/advise/why_answer.hpp"
 #include "odeum/cases/text_case.hpp"
+#include "odeum/cli/conditions.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/run_rows.hpp"
 #include "odeum/core/interrupt.hpp"
@@ -128,7 +129,10 @@ std::string why_text(const Case& c, const CaseRun& run, const RunOptions& option
   const std::string solver = run.entrant->info.id();
   std::string text;
   if (run.outcome.counters.work < cheap)
-    text = "why     " + advise::first_line(advise::why(c, solver, request, seconds)) + "\n";
+    text = "why     " +
+           advise::first_line(advise::why(c, solver, request, seconds,
+                                          conditions_of(options.what, options.problems, c))) +
+           "\n";
   return text + fmt::format("more    odeum why {}{} --solver {} {}\n", shell_word(options.what),
                             options.more, solver, advise::setting_of(request, c));
 }

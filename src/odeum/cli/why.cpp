@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
 #include "odeum/advise/why_answer.hpp"
+#include "odeum/cli/conditions.hpp"
 #include "odeum/cli/run.hpp"
+#include "odeum/core/clocks.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/trajectories/run_page.hpp"
+#include "odeum/truth/system.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -65,13 +72,21 @@ void write_files(const std::string& out, const Case& c, const advise::Why& why,
 
 int why_on(const WhyOptions& options, const CLI::App& command) {
   require_positive("--seconds", options.seconds);
+  // A truth that takes longer is known in part, or not at all.
+  constexpr double for_truth = 0.25, least = 0.5;
+  const auto start = std::chrono::steady_clock::now();
+  const truth::Deadline deadline(
+      start + std::chrono::milliseconds(std::llround(1e3 * for_truth * options.seconds)));
   const Case c = case_of(options.what, options.problems,
                          [&](double t0, double end) { check_span(options.settings, t0, end); });
   const RunSettings settings = settings_for(c, options.settings);
   if (!has_setting(settings)) throw UsageError("why needs --step or --tol, or --rtol and --atol");
   const Entrant& entrant = find_entrant(c.entrants, c.id, options.solver);
   const Request request = make_request(settings, c.t0, c.end(), c.y0.size(), entrant.info);
-  const advise::Why why = advise::why(c, entrant.info.id(), request, options.seconds);
+  const advise::Why why =
+      advise::why(c, entrant.info.id(), request,
+                  std::max(least * options.seconds, options.seconds - seconds_since(start)),
+                  conditions_of(options.what, options.problems, c));
   const advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
   print(options.format == "json" ? advise::json_of(why, c, asked).dump(2) + "\n"
                                  : advise::text_of(why, c, asked));
@@ -92,7 +107,8 @@ void add_why(CLI::App& app, int& result) {
   add_problem_options(*command, options->problems, false);
   add_step_and_tolerances(*command, options->settings);
   add_option(*command, "--until T", options->settings.until, "end time; default: the horizon");
-  add_option(*command, "--seconds S", options->seconds, "for the answer; default: 20");
+  add_option(*command, "--seconds S", options->seconds,
+             "for the answer, the truth included; default: 20");
   add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}));
   add_option(*command, "--out DIR", options->out,

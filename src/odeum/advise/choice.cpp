@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which of the runs that were made is to be made instead.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "odeum/advise/inquiry.hpp"
+
+namespace odeum::advise {
+const Run& farthest(const Inquiry& q) {
+  // A fixed step goes past the end of a solution.
+  const Run* best = q.adaptive() || q.others.empty() ? &q.run : &q.others.front();
+  for (const Run& other : q.others)
+    if (other.ends.back() > best->ends.back()) best = &other;
+  return *best;
+}
+
+namespace {
+
+/// Whether errors of the run's tolerance would grow to the size of the solution, so that a run that
+/// ends near it does so by chance.
+bool is_lost(const Inquiry& q, const Request& request) {
+  const double each = request.mode == Mode::adaptive ? request.tolerance.relative : epsilon;
+  return q.amplification * each > 1;
+}
+
+/// Whether another run is what to do instead: it ends near the solution and is nearer to it, or no
+/// farther away for less work. Nothing is said where the solution is not known.
+bool is_better(const Inquiry& q, const Other& other) {
+  if (other.status != Status::ok) return false;
+  const double theirs = other.difference, ours = q.difference(q.run), want = wanted(q);
+  // A shorter run, where none gets to the end.
+  if (other.reached < q.run.request.stops.back()) return !q.run.ok() || !(ours <= far_off);
+  if (!(theirs <= far_off) || is_lost(q, other.request)) return false;
+  if (!q.run.ok()) return true;
+  if (other.error > std::max(1.5 * q.why.error, want)) return false;
+  const double work = work_of(other.counters, q.c) / work_of(q.why.outcome.counters, q.c);
+  if (ours > 10 * want && theirs < 0.3 * ours) return true;
+  if (theirs <= 0.1 * ours && theirs > q.known->doubt && work < 1.2) return true;
+  return theirs <= std::max({ours, want, q.known->doubt}) && work < (theirs <= ours ? 0.8 : 0.5);
+}
+
+/// The last time up to which two runs, or a run and the truth, agree on the solution, of the size
+/// that it has there.
+double agreed_until(Inquiry& q, const Run& one, const Run& other) {
+  constexpr std::size_t parts = 60, around = 6;
+  constexpr double near = 1e-3;
+  const double t0 = q.c.t0, end = q.run.request.stops.back();
+  const std::size_t n = q.c.y0.size();
+  const auto states = [&](const Run& run) {
+    Request request = run.request;
+    request.record_steps = false;
+    request.over_stops = true;
+    request.stops.clear();
+    for (std::size_t k = 1; k <= parts; ++k)
+      request.stops.push_back(t0 + (end - t0) * static_cast<double>(k) / parts);
+    return q.make(q.c, run.solver, request, 0, 0.3).outcome.states;
+  };
+  const std::vector<double> first = states(one), second = states(other);
+  std::vector<double> exact(n);
+  double until = t0;
+  for (std::size_t k = 0; k < std::min(first.size(), second.size()) / n; ++k) {
+    const double t = t0 + (end - t0) * static_cast<double>(k + 1) / parts;
+    const double* truth = second.data() + k * n;
+    if (q.c.truth.closed_form && q.c.truth.at(t, exact.data())) truth = exact.data();
+    for (std::size_t i = 0; i < n; ++i) {
+      double size = 1e-12 * q.sizes[i];
+      for (std::size_t j = k - std::min(k, around); j <= k; ++j)
+        size = std::max(size, std::min(std::abs(first[j * n + i]), std::abs(second[j * n + i])));
+      if (std::abs(first[k * n + i] - truth[i]) > near * size) return until;
+    }
+    until = t;
+  }
+  return until;
+}
+
+/// A shorter run, up to where the solution is known.
+void try_shorter(Inquiry& q) {
+  std::vector<const Run*> runs;
+  if (q.disagree) {
+    runs = {&q.disagree->first, &q.disagree->second};
+  } else {
+    // The two of the tightest tolerances that are not of one solver.
+    std::vector<const Run*> all;
+    for (const Run& each : q.others)
+      if (each.ok() && each.request.mode == Mode::adaptive) all.push_back(&each);
+    std::ranges::stable_sort(all, {},
+                             [](const Run* run) { return run->request.tolerance.relative; });
+    for (const Run* each : all)
+      if (runs.size() < 2 && (runs.empty() || runs.front()->solver != each->solver))
+        runs.push_back(each);
+  }
+  if (runs.size() < 2) return;
+  const Run first = *runs[0], second = *runs[1];  // rows are added
+  const double until = agreed_until(q, first, second), t0 = q.c.t0;
+  constexpr double least = 0.05;
+  if (!(until - t0 > least * (q.run.request.stops.back() - t0))) return;
+  Request request = first.request;
+  request.stops = {of_two_digits(until)};
+  if (!(request.stops.back() > t0 && request.stops.back() <= until)) request.stops = {until};
+  q.also(first.solver, request, 0.3);
+  q.why.advice = fmt::format("up to t = {:.4g} {} and {} agree to a thousandth, and no farther",
+                             request.stops.back(), first.solver,
+                             q.c.truth.closed_form ? "the truth" : second.solver);
+}
+
+/// Equal steps that do not miss what is as short as that, by two methods.
+void try_equal_steps(Inquiry& q, double length) {
+  constexpr double parts = 25, most_steps = 5e6;
+  Request request = q.run.request;
+  request.mode = Mode::fixed;
+  request.record_steps = false;
+  const double steps = std::ceil(parts * (request.stops.back() - q.c.t0) / length);
+  if (!(steps <= most_steps)) return;
+  request.steps = nearest_multiple(steps, q.c.settings.steps_multiple);
+  std::vector<std::size_t> made;
+  for (const char* id : {"odeum/rk4", "odeum/adams_bashforth4"})
+    if (q.c.entrants.find(id)->unfit.empty()) made.push_back(q.also(id, request, 0.3));
+  if (q.known || made.size() < 2) return;
+  const Run &one = q.others[made[0]], &other = q.others[made[1]];
+  if (!one.ok() || !other.ok() || !(q.apart(one, other) <= far_off)) return;
+  q.known = Known{one.outcome.states, q.apart(one, other),
+                  fmt::format("{} and {}", one.solver, other.solver)};
+}
+
+}  // namespace
+
+double wanted(const Inquiry& q) {
+  return q.adaptive() ? q.run.request.tolerance.relative : usual_tolerance;
+}
+
+void choose(Inquiry& q) {
+  for (std::size_t k = 0; k < q.others.size(); ++k)
+    q.why.others[k].difference = q.difference(q.others[k]);
+  q.why.better.reset();
+  // Error first: as much as was asked for is enough, and then the work decides.
+  const double end = q.run.request.stops.back();
+  std::array<double, 3> least{infinity, infinity, infinity};
+  for (std::size_t k = 0; k < q.why.others.size(); ++k) {
+    const Other& other = q.why.others[k];
+    if (!is_better(q, other)) continue;
+    const bool whole = other.reached == end;
+    const double error = whole && other.difference > 10 * wanted(q) ? other.difference : 0;
+    const std::array<double, 3> cost{whole ? 0.0 : 1.0, error, work_of(other.counters, q.c)};
+    if (cost < least) least = cost, q.why.better = k;
+  }
+}
+
+void try_settings(Inquiry& q) {
+  Request request = q.run.request;
+  request.record_steps = false;
+  const double t0 = q.c.t0, end = request.stops.back();
+  const auto worth = [&](Cause cause) { return q.found(cause) && q.left() > 0.1 * q.seconds; };
+  if (worth(Cause::rounding)) {
+    request.tolerance =
+        q.run.request.tolerance.with_relative(std::max(1e-12, request.tolerance.relative));
+    q.also(q.why.solver, request, 0.3);
+  } else if (worth(Cause::absolute)) {
+    std::vector<double> absolute(q.sizes.size());
+    for (std::size_t i = 0; i < absolute.size(); ++i)
+      absolute[i] = std::min(request.tolerance.absolute(i),
+                             q.sizes[i] > 0 ? request.tolerance.relative * q.sizes[i] : infinity);
+    request.tolerance = Tolerance(request.tolerance.relative, absolute);
+    q.also(q.why.solver, request, 0.3);
+  }
+  if (worth(Cause::pulse)) try_equal_steps(q, q.pulse);
+  if (worth(Cause::aliasing)) {
+    try_equal_steps(q, q.period);
+    for (const double part : {1e-2, 1e-4}) {
+      request = q.run.request;
+      request.record_steps = false;
+      if (!q.adaptive() || !(part * request.tolerance.relative > 1e-13)) continue;
+      request.tolerance =
+          request.tolerance.with_relative(of_two_digits(part * request.tolerance.relative));
+      q.also(q.why.solver, request, 0.2);
+    }
+  }
+  if (worth(Cause::kink)) {
+    // Steps that end there see a smooth right-hand side on either side.
+    request = q.run.request;
+    request.stops.clear();
+    for (const Kink& kink : q.kinks)
+      if (kink.t > t0 && kink.t < end) request.stops.push_back(kink.t);
+    request.stops.push_back(end);
+    const Outcome parts = q.make(q.c, q.why.solver, request, 0, 0.3).outcome;
+    if (parts.status == Status::ok &&
+        parts.counters.rhs_evaluations < q.why.outcome.counters.rhs_evaluations)
+      q.why.advice = fmt::format("with steps that end at the kinks the run takes {} evaluations",
+                                 parts.counters.rhs_evaluations);
+  }
+  const bool far = q.run.ok() && !(q.difference(q.run) <= far_off);
+  if ((far || q.amplification > 1) && !q.found(Cause::sliding) && q.left() > 0.1 * q.seconds) {
+    const auto near = [&](const Run& other) {
+      return q.difference(other) <= far_off && !is_lost(q, other.request);
+    };
+    if (std::ranges::none_of(q.others, near)) try_shorter(q);
+  }
+  for (const Finding& finding : q.why.findings) {
+    if (finding.cause != Cause::sliding) continue;
+    q.why.advice =
+        "equations with a smooth law in place of the jump, as tanh(x/e) for sign(x), have "
+        "a solution in the usual sense";
+    if (q.known || !(finding.from > t0)) continue;
+    request = q.run.request;
+    request.record_steps = false;
+    if (!q.adaptive()) continue;
+    request.stops = {t0 + 0.99 * (finding.from - t0)};
+    q.also(q.why.solver, request, 0.2);
+  }
+  for (const Finding& finding : q.why.findings)
+    if (finding.cause == Cause::pole || finding.cause == Cause::singular) {
+      request = q.run.request;
+      request.record_steps = false;
+      request.stops = {t0 + 0.99 * (std::min(finding.from, end) - t0)};
+      if (request.stops.front() > t0) q.also(q.why.solver, request, 0.3);
+      break;
+    }
+}
+
+}  // namespace odeum::advise

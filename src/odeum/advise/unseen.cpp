@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies between the evaluations of a run: pulses, and periods shorter than its steps.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "odeum/advise/inquiry.hpp"
+#include "odeum/advise/path.hpp"
+
+namespace odeum::advise {
+namespace {
+
+/// From one change of the equations to the next.
+struct Interval {
+  double from, to;
+  std::size_t component;
+};
+
+/// Those within which a run has no evaluation; `times` ascend.
+std::vector<Interval> without_evaluations(const std::vector<Kink>& kinks,
+                                          const std::vector<double>& times) {
+  std::vector<Interval> found;
+  for (std::size_t k = 0; k + 1 < kinks.size(); ++k) {
+    const double from = kinks[k].t, to = kinks[k + 1].t;
+    const auto first = std::ranges::lower_bound(times, from);
+    if (kinks[k].jump && (first == times.end() || *first >= to))
+      found.push_back({from, to, kinks[k].component});
+  }
+  return found;
+}
+
+std::vector<double> ascending(std::vector<double> times) {
+  std::ranges::sort(times);
+  return times;
+}
+
+/// A step of a run along the solution: f where the run evaluates it, and at many times.
+class Step {
+ public:
+  Step(const Path& path, double from, double to, const std::vector<double>& evaluations,
+       const std::vector<Moment>& known)
+      : path_(path), from_(from), to_(to) {
+    constexpr int parts = 32;
+    for (int k = 0; k <= parts; ++k) times_.push_back(from + (to - from) * k / parts);
+    for (const Moment& at : known)
+      if (at.t > from && at.t < to) times_.push_back(at.t);
+    std::ranges::sort(times_);
+    for (const double t : times_) slopes_.push_back(path.slope(t));
+    for (auto at = std::ranges::lower_bound(evaluations, from);
+         at != evaluations.end() && *at <= to; ++at)
+      seen_.push_back(*at);
+  }
+
+  /// From the straight line between the slopes at the ends.
+  double deviation(std::size_t i, double t, double value) const {
+    const double part = (t - from_) / (to_ - from_);
+    return value - (slopes_.front()[i] + part * (slopes_.back()[i] - slopes_.front()[i]));
+  }
+  double largest(std::size_t i) const {
+    double most = 0;
+    for (std::size_t k = 0; k < times_.size(); ++k)
+      most = std::max(most, std::abs(deviation(i, times_[k], slopes_[k][i])));
+    return most;
+  }
+  double largest_seen(std::size_t i) const {
+    double most = 0;
+    for (const double t : seen_)
+      most = std::max(most, std::abs(deviation(i, t, path_.slope(t)[i])));
+    return most;
+  }
+  /// Where the deviation is more than half of its largest.
+  Interval pulse(std::size_t i) const {
+    const double half = 0.5 * largest(i);
+    Interval found{to_, from_, i};
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+      if (std::abs(deviation(i, times_[k], slopes_[k][i])) < half) continue;
+      found.from = std::min(found.from, times_[k > 0 ? k - 1 : 0]);
+      found.to = std::max(found.to, times_[std::min(k + 1, times_.size() - 1)]);
+    }
+    return found;
+  }
+  /// How often it turns round, by a part of its range.
+  int turns(std::size_t i) const {
+    const double least = 0.2 * largest(i);
+    int count = 0, direction = 0;
+    double extreme = slopes_.front()[i];
+    for (const std::vector<double>& f : slopes_) {
+      if (direction * (f[i] - extreme) > 0 || direction == 0) {
+        if (direction == 0 && std::abs(f[i] - extreme) > least)
+          direction = f[i] > extreme ? 1 : -1, extreme = f[i];
+        else if (direction != 0)
+          extreme = f[i];
+      } else if (std::abs(f[i] - extreme) > least) {
+        ++count;
+        direction = -direction;
+        extreme = f[i];
+      }
+    }
+    return count;
+  }
+
+ private:
+  const Path& path_;
+  double from_, to_;
+  std::vector<double> times_, seen_;
+  std::vector<std::vector<double>> slopes_;
+};
+
+void add_pulse(Inquiry& q, const Interval& unseen) {
+  q.pulse = unseen.to - unseen.from;
+  q.add(Cause::pulse, nan, unseen.from,
+        fmt::format("the run steps over t = {:.6g} to {:.6g}, where {}'s right-hand side is "
+                    "another: it has no evaluation there that shows it",
+                    unseen.from, unseen.to, q.names[unseen.component]));
+}
+
+/// What is in the steps of a run along states that are nearer to the solution, or its own.
+struct Inside {
+  std::optional<Interval> pulse;
+  double aliased = 0;  ///< the time of steps in which f turns round and back
+  double period = infinity, since = nan;
+  std::size_t component = 0;
+};
+Inside look_into_steps(const Inquiry& q, const Run& run, const std::vector<Moment>& along) {
+  constexpr std::size_t most_numbers = 60'000;
+  Inside found;
+  const std::size_t n = q.c.y0.size();
+  if (run.steps() * n > most_numbers || run.steps() == 0 || along.size() < 2) return found;
+  const Path path(q.c, along);
+  const std::vector<double> times = ascending(run.trace.times);
+  const Tolerance& tolerance = run.request.tolerance;
+  for (std::size_t k = 0; k + 1 < run.ends.size() && q.time_for_more(0.2); ++k) {
+    const double from = run.ends[k], to = run.ends[k + 1];
+    const Step step(path, from, to, times, along);
+    bool turns = false;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double most = step.largest(i),
+                   allowed = run.request.mode == Mode::adaptive
+                                 ? tolerance.absolute(i) + tolerance.relative * q.sizes[i]
+                                 : far_off * q.sizes[i];
+      if (!(most * (to - from) > allowed) || !std::isfinite(most)) continue;
+      const Interval at = step.pulse(i);
+      const bool matters = most * (at.to - at.from) > 10 * allowed;
+      if (!found.pulse && matters && step.largest_seen(i) < 0.1 * most) found.pulse = at;
+      if (const int count = step.turns(i); count >= 2) {
+        turns = true;
+        if (std::isnan(found.since)) found.since = from, found.component = i;
+        found.period = std::min(found.period, 2 * (to - from) / count);
+      }
+    }
+    if (turns) found.aliased += to - from;
+  }
+  return found;
+}
+
+}  // namespace
+
+bool has_unseen(const Inquiry& q, const Run& run) {
+  const double wide = (run.ends.back() - run.ends.front()) / 100;
+  const Changed changed = kinks_of_conditions(q.c, q.conditions, run.moments, wide, false, q.sizes);
+  return !without_evaluations(changed.kinks, ascending(run.trace.times)).empty() ||
+         look_into_steps(q, run, run.moments).pulse;
+}
+
+void look_for_unseen(Inquiry& q) {
+  // Where nobody ends near the solution, all may have missed the same.
+  const Run& along = q.trusted ? *q.trusted : q.run;
+  if (q.trusted && !(q.difference(q.run) > 10 * wanted(q))) return;
+  const Changed changed =
+      kinks_of_conditions(q.c, q.conditions, along.moments, q.run.step_at(q.c.t0), false, q.sizes);
+  const std::vector<Interval> unseen =
+      without_evaluations(changed.kinks, ascending(q.run.trace.times));
+  constexpr std::size_t few = 5;
+  if (!unseen.empty() && unseen.size() < few) return add_pulse(q, unseen.front());
+  const Inside inside = look_into_steps(q, q.run, along.moments);
+  constexpr double least_part = 0.25;
+  if (inside.aliased > least_part * (q.run.ends.back() - q.c.t0)) {
+    q.period = inside.period;
+    q.add(Cause::aliasing, nan, inside.since,
+          fmt::format("{}'s right-hand side turns round and back within single steps, some {:.3g} "
+                      "long, from t = {:.4g} on: its period is near {:.2g}, and few evaluations of "
+                      "a step do not show it",
+                      q.names[inside.component], q.run.step_at(inside.since), inside.since,
+                      inside.period));
+  } else if (inside.pulse) {
+    add_pulse(q, *inside.pulse);
+  }
+}
+
+}  // namespace odeum::advise
