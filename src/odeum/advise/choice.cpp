@@ -19,13 +19,6 @@ const Run& farthest(const Inquiry& q) {
 
 namespace {
 
-/// Whether errors of the run's tolerance would grow to the size of the solution, so that a run that
-/// ends near it does so by chance.
-bool is_lost(const Inquiry& q, const Request& request) {
-  const double each = request.mode == Mode::adaptive ? request.tolerance.relative : epsilon;
-  return q.amplification * each > 1;
-}
-
 /// Whether another run is what to do instead: it ends near the solution and is nearer to it, or no
 /// farther away for less work. Nothing is said where the solution is not known.
 bool is_better(const Inquiry& q, const Other& other) {
@@ -33,13 +26,16 @@ bool is_better(const Inquiry& q, const Other& other) {
   const double theirs = other.difference, ours = q.difference(q.run), want = wanted(q);
   // A shorter run, where none gets to the end.
   if (other.reached < q.run.request.stops.back()) return !q.run.ok() || !(ours <= far_off);
-  if (!(theirs <= far_off) || is_lost(q, other.request)) return false;
+  // Where no tolerance helps, one that ends near the solution does so by chance.
+  if (!(theirs <= far_off) || q.no_tolerance_helps()) return false;
   if (!q.run.ok()) return true;
   if (other.error > std::max(1.5 * q.why.error, want)) return false;
   const double work = work_of(other.counters, q.c) / work_of(q.why.outcome.counters, q.c);
   if (ours > 10 * want && theirs < 0.3 * ours) return true;
   if (theirs <= 0.1 * ours && theirs > q.known->doubt && work < 1.2) return true;
-  return theirs <= std::max({ours, want, q.known->doubt}) && work < (theirs <= ours ? 0.8 : 0.5);
+  // A fixed step asks for no error: what is as exact.
+  const double enough = q.adaptive() ? std::max(ours, want) : std::max(3 * ours, 1e-9);
+  return theirs <= std::max(enough, q.known->doubt) && work < (theirs <= ours ? 0.8 : 0.5);
 }
 
 /// The last time up to which two runs, or a run and the truth, agree on the solution, of the size
@@ -120,7 +116,9 @@ void try_equal_steps(Inquiry& q, double length) {
     if (q.c.entrants.find(id)->unfit.empty()) made.push_back(q.also(id, request, 0.3));
   if (q.known || made.size() < 2) return;
   const Run &one = q.others[made[0]], &other = q.others[made[1]];
-  if (!one.ok() || !other.ok() || !(q.apart(one, other) <= far_off)) return;
+  if (!one.ok() || !other.ok()) return;
+  q.find_sizes(q.along(one));  // which those that missed it did not show
+  if (!(q.apart(one, other) <= far_off)) return;
   q.known = Known{one.outcome.states, q.apart(one, other),
                   fmt::format("{} and {}", one.solver, other.solver)};
 }
@@ -192,10 +190,8 @@ void try_settings(Inquiry& q) {
   }
   const bool far = q.run.ok() && !(q.difference(q.run) <= far_off);
   if ((far || q.amplification > 1) && !q.found(Cause::sliding) && q.left() > 0.1 * q.seconds) {
-    const auto near = [&](const Run& other) {
-      return q.difference(other) <= far_off && !is_lost(q, other.request);
-    };
-    if (std::ranges::none_of(q.others, near)) try_shorter(q);
+    const auto near = [&](const Run& other) { return q.difference(other) <= far_off; };
+    if (q.no_tolerance_helps() || std::ranges::none_of(q.others, near)) try_shorter(q);
   }
   for (const Finding& finding : q.why.findings) {
     if (finding.cause != Cause::sliding) continue;
@@ -210,7 +206,9 @@ void try_settings(Inquiry& q) {
     q.also(q.why.solver, request, 0.2);
   }
   for (const Finding& finding : q.why.findings)
-    if (finding.cause == Cause::pole || finding.cause == Cause::singular) {
+    if (finding.cause == Cause::pole || finding.cause == Cause::singular ||
+        finding.cause == Cause::growth || finding.cause == Cause::domain) {
+      if (!(finding.from > t0)) continue;
       request = q.run.request;
       request.record_steps = false;
       request.stops = {t0 + 0.99 * (std::min(finding.from, end) - t0)};

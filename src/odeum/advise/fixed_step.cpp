@@ -118,27 +118,31 @@ bool feeds_what_decays(const Inquiry& q, double off) {
          std::exp(std::min(by_method, 700.0)) - std::exp(by_problem) > 0.2 * std::min(off, 1.0);
 }
 
-/// Whether a step many times as long is as exact.
+/// Whether a step many times as long is as exact, or as exact as is usual where this one was not
+/// paid for.
 void look_for_fineness(Inquiry& q) {
-  if (!q.run.ok() || !q.known) return;
+  if (!q.known) return;
   constexpr std::uint64_t times = 10, least_steps = 10;
-  const double enough = std::max({3 * q.difference(q.run), 1e-9, q.known->doubt});
+  const double enough =
+      std::max({q.run.ok() ? 3 * q.difference(q.run) : usual_tolerance, 1e-9, q.known->doubt});
   Request coarser = q.run.request;
   std::size_t found = q.others.size();
-  double longer = 1;
   while (coarser.steps > times * least_steps && q.time_for_more(0.1)) {
     coarser.steps /= times;
     const std::size_t k = q.also(q.why.solver, coarser, 0.2);
-    if (!(q.difference(q.others[k]) <= enough)) break;
-    found = k;
-    longer *= times;
+    const bool unpaid = q.others[k].outcome.status == Status::over_budget;
+    if (!unpaid && !(q.difference(q.others[k]) <= enough)) break;
+    if (!unpaid) found = k;
   }
-  if (found == q.others.size()) return;
-  q.add(
-      Cause::too_fine, 1, q.c.t0,
-      fmt::format("the step is far finer than its error needs: one {:g} times as long ends {:.2g} "
-                  "of the solution's size away, this one {:.2g}",
-                  longer, q.difference(q.others[found]), q.difference(q.run)));
+  if (found >= q.others.size() || !q.others[found].ok()) return;
+  const double longer =
+      static_cast<double>(q.run.request.steps) / static_cast<double>(q.others[found].request.steps);
+  q.add(Cause::too_fine, 1, q.c.t0,
+        fmt::format("the step is far finer than its error needs: one {:.3g} times as long ends "
+                    "{:.2g} of the solution's size away{}",
+                    longer, q.difference(q.others[found]),
+                    q.run.ok() ? fmt::format(", this one {:.2g}", q.difference(q.run))
+                               : ", and this one was not at the end in the time it had"));
 }
 
 }  // namespace
@@ -150,7 +154,7 @@ void look_at_fixed_step(Inquiry& q) {
     if (s.used > 1) s.cause = Cause::stability;
   if (!q.samples.empty()) make_segments(q);
   const double off = q.difference(q.run), size = blown_up(q);
-  if (off <= far_off) return look_for_fineness(q);
+  if (off <= far_off || q.run.outcome.status == Status::over_budget) return look_for_fineness(q);
   if (q.run.ok()) look_for_kinks(q);
   if (q.run.ok() && !q.found(Cause::sliding)) look_for_unseen(q);
   if (std::isnan(off)) return look_at_amplification(q);

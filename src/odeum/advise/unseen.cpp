@@ -42,7 +42,9 @@ class Step {
   Step(const Path& path, double from, double to, const std::vector<double>& evaluations,
        const std::vector<Moment>& known)
       : path_(path), from_(from), to_(to) {
-    constexpr int parts = 32;
+    constexpr double least = 32, evenly = 4000;  // in a step, and in all of them
+    const double span = path.end() - path.start();
+    const auto parts = static_cast<int>(std::max(least, evenly * (to - from) / span));
     for (int k = 0; k <= parts; ++k) times_.push_back(from + (to - from) * k / parts);
     for (const Moment& at : known)
       if (at.t > from && at.t < to) times_.push_back(at.t);
@@ -116,6 +118,17 @@ void add_pulse(Inquiry& q, const Interval& unseen) {
                     unseen.from, unseen.to, q.names[unseen.component]));
 }
 
+/// Of a component of f at the ends of some steps before and after one.
+double range_around(const std::vector<std::vector<double>>& slopes, std::size_t k, std::size_t i) {
+  constexpr std::size_t wide = 2;
+  double low = infinity, high = -infinity;
+  for (std::size_t j = k - std::min(k, wide); j < std::min(k + 2 + wide, slopes.size()); ++j) {
+    low = std::min(low, slopes[j][i]);
+    high = std::max(high, slopes[j][i]);
+  }
+  return high - low;
+}
+
 /// What is in the steps of a run along states that are nearer to the solution, or its own.
 struct Inside {
   std::optional<Interval> pulse;
@@ -131,6 +144,8 @@ Inside look_into_steps(const Inquiry& q, const Run& run, const std::vector<Momen
   const Path path(q.c, along);
   const std::vector<double> times = ascending(run.trace.times);
   const Tolerance& tolerance = run.request.tolerance;
+  std::vector<std::vector<double>> at_ends;
+  for (const double t : run.ends) at_ends.push_back(path.slope(t));
   for (std::size_t k = 0; k + 1 < run.ends.size() && q.time_for_more(0.2); ++k) {
     const double from = run.ends[k], to = run.ends[k + 1];
     const Step step(path, from, to, times, along);
@@ -142,7 +157,10 @@ Inside look_into_steps(const Inquiry& q, const Run& run, const std::vector<Momen
                                  : far_off * q.sizes[i];
       if (!(most * (to - from) > allowed) || !std::isfinite(most)) continue;
       const Interval at = step.pulse(i);
-      const bool matters = most * (at.to - at.from) > 10 * allowed;
+      // A method may evaluate f at the ends alone, from which it is known between them where it
+      // changes as much from one to the next.
+      const bool matters =
+          most * (at.to - at.from) > 10 * allowed && most > 2 * range_around(at_ends, k, i);
       if (!found.pulse && matters && step.largest_seen(i) < 0.1 * most) found.pulse = at;
       if (const int count = step.turns(i); count >= 2) {
         turns = true;

@@ -54,7 +54,9 @@ double Inquiry::left() const {
 
 Run Inquiry::make(const Case& on, const std::string& solver, Request request, std::size_t moments,
                   double share) const {
-  request.budget.evaluations = std::min<std::uint64_t>(request.budget.evaluations, 5'000'000);
+  // The run itself comes first.
+  const std::uint64_t most = why.outcome.counters.work == 0 ? 20'000'000 : 5'000'000;
+  request.budget.evaluations = std::min(request.budget.evaluations, most);
   // Of the clock, which other programs stretch; to a tenth, since a message has it.
   const double used = used_seconds() - processor_start, wall = seconds_since(start),
                crowding = used > 0.1 ? std::clamp(wall / used, 1.0, 3.0) : 1;
@@ -142,7 +144,7 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
     choose(q);
     return q.why;
   }
-  q.run = q.make(c, solver, request, states_along(q), 0.25);
+  q.run = q.make(c, solver, request, states_along(q), 0.5);
   q.progress.advance();
   q.why.outcome = q.run.outcome;
   q.why.outcome.states.clear();
