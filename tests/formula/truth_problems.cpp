@@ -184,10 +184,11 @@ void add_reactions(std::vector<TruthProblem>& all) {
   all.push_back(
       problem("vdp_mu1", 2, fmt::format(fmt::runtime(oscillator), "1", "1"), "1, 5, 10, 20, 50"));
   all.push_back(problem("vdp_mu1000", 2, fmt::format(fmt::runtime(oscillator), "1000", "1"),
-                        "500, 800, 1000, 1500, 2000"));
-  // The two families agree to 9e-12 here, as measured; what limits them has not been found.
+                        "500, 800, 1000, 1500, 2000", stiff));
+  // v, of which errors are a part, comes to 1e6 in each jump. A tolerance at which both families
+  // agree to 9e-12 takes three times the seconds that a truth may take.
   all.push_back(problem("vdp_eps1e-6", 2, fmt::format(fmt::runtime(oscillator), "1", "1e-6"),
-                        "0.5, 1, 2", 1e-10));
+                        "0.5, 1, 2", 1e-8));
   all.push_back(problem("brusselator2", 2,
                         "states: {x: 1.5, y: 3}\nequations: {x: 1 + x^2*y - 4*x, y: 3*x - x^2*y}",
                         "1, 5, 10, 15, 20"));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "odeum/cases/parameters.hpp"
 #include "odeum/cases/set_problem.hpp"
 #include "odeum/cases/study_steps.hpp"
 #include "odeum/truth/scene_system.hpp"
@@ -86,7 +87,7 @@ std::uint64_t budget_of(const scene::SceneProblem& problem, std::uint64_t usual)
 }
 
 Case make_scene(const std::string& file, const std::string& text, const scene::Scene& scene,
-                const Span& span) {
+                const Span& span, bool with_truth) {
   const auto problem =
       whole_problem(scene, std::isnan(span.until) ? *scene.duration : span.until, file);
   const scene::Structure& structure = problem->structure();
@@ -112,6 +113,10 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   c.problem = erase(contest_of(problem));
   c.entrants = enroll_scene(problem);
   c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
+  if (!with_truth) {
+    c.truth = unknown_truth();
+    return c;
+  }
   const TextTruth known = scene_truth(problem, c.stops, text, file);
   c.truth = known.truth;
   c.facts.emplace_back("truth", known.words);
@@ -193,14 +198,13 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
 }
 
 Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene,
-                          const Span& span) {
+                          const Span& span, bool with_truth) {
   std::string title = scene.name.empty() ? id : scene.name;
   return {.id = std::move(id),
           .title = std::move(title),
           .tags = {},
-          .make = [file = std::move(file), text = std::move(text), scene = std::move(scene), span] {
-            return make_scene(file, text, scene, span);
-          }};
+          .make = [file = std::move(file), text = std::move(text), scene = std::move(scene), span,
+                   with_truth] { return make_scene(file, text, scene, span, with_truth); }};
 }
 
 Entrants enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem) {

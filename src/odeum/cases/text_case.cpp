@@ -46,7 +46,8 @@ class TextCase : CaseText {
     case_.units.scale = problem_.scale;
     set_problem();
     set_truth();
-    if (!file_.folder.empty() && file_.computes_truth) prove_truth();
+    if (!file_.folder.empty() && file_.computes_truth)
+      prove(ode_ ? ode_->problem() : problem_, *analysis_, case_, truth_);
     select_invariants();
     choose_settings();
     case_.facts =
@@ -190,13 +191,6 @@ class TextCase : CaseText {
                         .y0 = problem_.y0,
                         .truth = truth_.extended,
                         .floor = truth_.extended_floor});
-  }
-
-  void prove_truth() {
-    const std::string proof = proof_of(ode_ ? ode_->problem() : problem_, *analysis_, case_);
-    if (proof.empty()) return;
-    case_.truth.source += "; " + proof;
-    if (!truth_.words.empty()) truth_.words += "; " + proof;
   }
 
   Truth reference(const std::string& name, double floor) const {

@@ -10,11 +10,13 @@
 #include <utility>
 
 #include "odeum/cases/case_text.hpp"
+#include "odeum/cases/parameters.hpp"
 #include "odeum/cases/text_case.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/formula/cache.hpp"
 #include "odeum/formula/text_ode.hpp"
 #include "odeum/truth/certificate.hpp"
+#include "odeum/truth/inspector.hpp"
 #include "odeum/truth/text_system.hpp"
 
 namespace odeum::cases {
@@ -175,6 +177,9 @@ TextTruth truth_of(const std::shared_ptr<const TextOde>& ode, const ErrorUnits& 
     result.truth.largest = along->largest;
     result.truth.lowest = along->lowest;
   }
+  result.words += fmt::format(
+      "; steps are looked into down to a width of {:.1g}",
+      static_cast<double>((problem.stops.back() - problem.t0) * truth::shortest_inspected));
   return result;
 }
 
@@ -197,6 +202,30 @@ std::string proof_of(const formula::Problem& problem, const formula::Analysis& a
   std::string text = to_text(*certificate);
   formula::keep_text(name, text);
   return text;
+}
+
+void prove(const formula::Problem& problem, const formula::Analysis& analysis, Case& c,
+           TextTruth& truth) {
+  constexpr double larger = 30, most = 1e6;
+  const bool is_computed = !truth.words.empty() && !truth.truth.closed_form;
+  std::string proof = proof_of(problem, analysis, c);
+  const auto is_refuted = [&] { return is_computed && proof.starts_with("refuted"); };
+  for (double by = larger; is_refuted() && by <= most; by *= larger) {
+    c.truth.floor *= larger;
+    for (double& floor : c.truth.floors) floor *= larger;
+    truth.extended_floor *= larger;
+    proof = proof_of(problem, analysis, c);
+    if (!is_refuted())
+      proof += fmt::format("; an enclosure refuted that error, and {:.1e} is taken for it",
+                           c.truth.floor);
+  }
+  if (is_refuted()) {
+    c.truth.at = unknown_truth().at;
+    proof = "none is known: an enclosure of the solution refutes what two methods agree on";
+  }
+  if (proof.empty()) return;
+  c.truth.source += "; " + proof;
+  if (!truth.words.empty()) truth.words += "; " + proof;
 }
 
 std::string with_proof(const Case& c) {

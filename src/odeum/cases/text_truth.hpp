@@ -44,4 +44,9 @@ TextTruth truth_of(const std::shared_ptr<const formula::TextOde>& ode, const Err
 std::string proof_of(const formula::Problem& problem, const formula::Analysis& analysis,
                      const Case& c);
 
+/// Adds that to the case's truth and its words. What is refuted of a computed truth is not claimed:
+/// its errors are taken larger, until they are not refuted, or it is unknown.
+void prove(const formula::Problem& problem, const formula::Analysis& analysis, Case& c,
+           TextTruth& truth);
+
 }  // namespace odeum::cases

@@ -158,6 +158,7 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
       options.wishes.start +
       std::chrono::milliseconds(std::llround(
           1e3 * (options.wishes.seconds > 0 ? share * options.wishes.seconds : usual))));
+  const truth::Accuracy accuracy(options.wishes.error > 0 ? options.wishes.error / 100 : 0);
   std::vector<Range> ranges;
   for (const std::string& text : options.vary) ranges.push_back(range_of(text));
   const Case given = given_case(options);

@@ -241,6 +241,20 @@ std::optional<Case> load_before_truth(const std::string& path, const ProblemOpti
   }
 }
 
+std::optional<Case> scene_before_truth(const std::string& what) {
+  const std::optional<SceneSource> source = find_scene(what);
+  if (!source) return std::nullopt;
+  try {
+    const scene::ReadOptions options{.need_solver = false};
+    const std::string text = source->read(options.most_bytes);
+    return case_of(cases::scene_statement(stem_of(source->file), source->file, text,
+                                          scene::read_scene(source->file, text, options).scene, {},
+                                          false));
+  } catch (const std::exception&) {
+    return std::nullopt;  // what is wrong is said when the scene is loaded
+  }
+}
+
 const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets,
                        const cases::Span& span) {
   if (!sets.empty()) throw UsageError("--set: a scene has no parameters; change its file");

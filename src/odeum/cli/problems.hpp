@@ -56,6 +56,8 @@ const Case& load_problem(const std::string& path, const ProblemOptions& options,
 /// The case of a problem file without its truth, where that has to be computed; none also where
 /// something is wrong with the file.
 std::optional<Case> load_before_truth(const std::string& path, const ProblemOptions& options);
+/// The same of a scene; none where it is no scene.
+std::optional<Case> scene_before_truth(const std::string& what);
 
 /// Makes the case of a scene. Throws UsageError for a text that is wrong, and for `sets`, since a
 /// scene has no parameters.

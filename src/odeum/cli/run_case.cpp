@@ -175,29 +175,29 @@ bool same_run(const Request& a, const Request& b) {
 /// Runs of solvers by their ids.
 using FirstRuns = std::map<std::string, std::pair<Request, Outcome>>;
 
-/// Runs the solvers before the truth is computed, which may take much longer, and says how they
-/// ended. Nothing where the tolerances wait for the scale that the truth proposes.
-FirstRuns run_before_truth(RunOptions options) {
-  const RunSettings& settings = options.settings;
-  const bool complete = settings.step || settings.steps || settings.absolute_given;
-  if (options.solvers.empty() || options.format == "json" || options.code || !complete) return {};
-  const std::optional<Case> c = load_before_truth(options.what, options.problems);
-  if (!c) return {};
-  options.settings = settings_for(*c, settings);
-  FirstRuns runs;
-  for (const std::string& solver : those_that_fit(c->entrants, options, false)) {
-    const CaseRun run = prepare(*c, solver, options);
-    const std::string id = run.entrant->info.id();
-    const std::clock_t begin = std::clock();
-    const Outcome outcome = trajectories::solve_with_outputs(*run.entrant, run.request);
-    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    remark(
-        "first      {}: {} at t = {:.6g} after {} evaluations, {:.3g} s of the processor; the "
-        "truth is computed now",
-        id, to_string(outcome.status), outcome.t, outcome.counters.rhs_evaluations, seconds);
-    runs[id] = {run.request, outcome};
+/// Solves and says how it ended.
+void solve_first(CaseRun& run, std::size_t n) {
+  const std::clock_t begin = std::clock();
+  run.outcome = trajectories::solve_with_outputs(*run.entrant, run.request);
+  remark(first_text(run, n, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC));
+}
+
+/// Runs the solvers before the truth is computed, which may take much longer, says how they ended
+/// and writes their files. Where the tolerances wait for the scale that the truth proposes, these
+/// are runs in units of 1.
+FirstRuns run_before_truth(const Case& c, RunOptions options) {
+  if (options.solvers.empty() || options.code || !has_setting(options.settings)) return {};
+  options.settings = settings_for(c, options.settings);
+  FirstRuns first;
+  std::vector<CaseRun> runs;
+  for (const std::string& solver : those_that_fit(c.entrants, options, false)) {
+    runs.push_back(prepare(c, solver, options));
+    solve_first(runs.back(), c.y0.size());
+    if (interrupted) return {};
+    first[runs.back().entrant->info.id()] = {runs.back().request, runs.back().outcome};
   }
-  return runs;
+  if (!options.out.empty()) write_files(c, runs, options, true);
+  return first;
 }
 
 int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_file = false,
@@ -224,18 +224,20 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
   };
   for (const auto& [name, value] : sets) say(fmt::format("set     {} = {}\n", name, value));
   say(fmt::format("case    {}: {}\n", c.id, c.equation));
-  if (options.truth) {
-    c.truth.source = cases::with_proof(c);
-    c.truth = truth_of(c, runs);
-  }
-  bool any_close = false;
-  std::vector<RunError> errors;
   for (CaseRun& run : runs) {
     const auto before = first.find(run.entrant->info.id());
     run.outcome = before != first.end() && same_run(before->second.first, run.request)
                       ? before->second.second
                       : trajectories::solve_with_outputs(*run.entrant, run.request);
     if (interrupted) return interrupted_code;
+  }
+  if (options.truth) {
+    c.truth.source = cases::with_proof(c);
+    c.truth = truth_of(c, runs);
+  }
+  bool any_close = false;
+  std::vector<RunError> errors;
+  for (const CaseRun& run : runs) {
     errors.push_back(error_of(c, run));
     say(describe(c, run, errors.back()));
     if (run.outcome.status != Status::ok) say(why_text(c, run, options));
@@ -249,8 +251,13 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
 }  // namespace
 
 int run_case(const RunOptions& options) {
+  FirstRuns first;
+  if (options.truth)
+    if (const std::optional<Case> scene = scene_before_truth(options.what))
+      first = run_before_truth(*scene, options);
+  if (interrupted) return interrupted_code;
   return run_solvers(case_of(options.what, options.problems),
-                     assignments("--set", options.problems.sets), options);
+                     assignments("--set", options.problems.sets), options, false, first);
 }
 
 int run_problem(const RunOptions& options) {
@@ -259,12 +266,13 @@ int run_problem(const RunOptions& options) {
   SpanCheck check;
   if (has_setting(options.settings) && !options.solvers.empty())
     check = [&](double t0, double end) { check_span(options.settings, t0, end); };
-  const std::optional<Case> without =
-      options.truth ? std::nullopt : load_before_truth(options.what, options.problems);
-  if (without && check) check(without->t0, without->end());
-  const FirstRuns first = options.truth ? run_before_truth(options) : FirstRuns();
+  const std::optional<Case> before = load_before_truth(options.what, options.problems);
+  if (before && check) check(before->t0, before->end());
+  const FirstRuns first =
+      options.truth && before ? run_before_truth(*before, options) : FirstRuns();
   if (interrupted) return interrupted_code;
-  const Case& c = without ? *without : load_problem(options.what, options.problems, check);
+  const Case& c =
+      before && !options.truth ? *before : load_problem(options.what, options.problems, check);
   if (options.code) return run_solvers(c, {}, options, true);
   std::string text =
       fmt::format("{:<9}  {} ({})\n", "problem", report::plain(c.title), report::plain(c.source));

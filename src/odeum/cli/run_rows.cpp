@@ -8,8 +8,10 @@
 #include <cmath>
 #include <functional>
 
+#include "odeum/cli/run.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/judge/remarks.hpp"
+#include "odeum/record/csv.hpp"
 #include "odeum/solvers/settings.hpp"
 
 namespace odeum::cli {
@@ -131,6 +133,26 @@ std::string cost_text(const Counters& counters) {
   if (counters.products > 0)
     text += fmt::format(", {} products in linear solvers", counters.products);
   return text;
+}
+
+std::string first_text(const trajectories::CaseRun& run, std::size_t numbers, double seconds) {
+  const Outcome& outcome = run.outcome;
+  constexpr std::size_t few = 8;
+  std::string state;
+  if (outcome.status == Status::ok && numbers <= few) {
+    state = "; state";
+    for (std::size_t i = 0; i < numbers; ++i)
+      state +=
+          " " + record::format_number(outcome.states[(run.reached(numbers) - 1) * numbers + i]);
+  }
+  return fmt::format(
+      "first      {}: {} at t = {:.6g} after {} evaluations, {:.3g} s of the processor, {}{}; the "
+      "truth is computed now",
+      run.entrant->info.id(), to_string(outcome.status), outcome.t,
+      outcome.counters.rhs_evaluations, seconds,
+      run.request.mode == Mode::fixed ? fmt::format("{} steps", run.request.steps)
+                                      : "tol " + text_of_tolerance(run.request),
+      state);
 }
 
 std::string error_text(const Case& c, const trajectories::CaseRun& run, const RunError& error) {

@@ -65,6 +65,10 @@ RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs,
 /// `82 evaluations, 3 Jacobians, 214 products in linear solvers`.
 std::string cost_text(const Counters& counters);
 
+/// Of a run whose error waits for the truth: how it ended, and its end state where it has few
+/// numbers. `seconds`: of the processor.
+std::string first_text(const trajectories::CaseRun& run, std::size_t numbers, double seconds);
+
 /// Lines: the error, whether the tolerance explains it, and what else the run shows.
 std::string error_text(const Case& c, const trajectories::CaseRun& run, const RunError& error);
 

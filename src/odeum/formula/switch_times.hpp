@@ -8,8 +8,8 @@
 namespace odeum::formula {
 
 /// The times at which a text itself says that its right-hand side has a kink or a jump: where a
-/// comparison, or an abs, sign, min or max, of expressions of the time and of constants alone
-/// changes, as `if(t > 5, ...)` does at 5 and `max(sin(t), 0)` at each multiple of pi.
+/// comparison, or an abs, sign, floor, min or max, of expressions of the time and of constants
+/// alone changes, as `if(t > 5, ...)` does at 5 and `max(sin(t), 0)` at each multiple of pi.
 struct SwitchTimes {
   /// Ascending, after t0 and before the end. From each on, the sign of a condition is another one:
   /// the state at that time is the last before the switch, and its slope is not defined.

@@ -2,12 +2,89 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 #include "odeum/truth/system.hpp"
 
 namespace odeum::truth {
+
+namespace {
+
+/// Adds what the rounding of the time of a named switch moves the state by: both methods share it.
+void add_rounding(const System& before, const System& after, Real t, const State& y, State& sum) {
+  State f(y.size()), g(y.size());
+  before.rhs(t, y.data(), f.data());
+  after.rhs(t, y.data(), g.data());
+  sum.resize(y.size());
+  for (std::size_t i = 0; i < y.size(); ++i)
+    if (const Real jump = std::abs(f[i] - g[i]); std::isfinite(jump))
+      sum[i] += jump * 0x1p-63L * std::abs(before.origin + t);
+}
+
+void add(const State& more, State& sum) {
+  sum.resize(std::max(sum.size(), more.size()));
+  for (std::size_t i = 0; i < more.size(); ++i) sum[i] += more[i];
+}
+
+/// With a later time as zero.
+class LaterInsight final : public Insight {
+ public:
+  LaterInsight(std::unique_ptr<Insight> insight, Real origin)
+      : insight_(std::move(insight)), origin_(origin) {}
+  Inside look(Real t, Real h, const State& y, const State& next) override {
+    return insight_->look(origin_ + t, h, y, next);
+  }
+  bool rounding(Real t, const State& y, State& bound) override {
+    return insight_->rounding(origin_ + t, y, bound);
+  }
+  State spread(Real t, Real h, const State& y, const State& next) override {
+    return insight_->spread(origin_ + t, h, y, next);
+  }
+
+ private:
+  std::unique_ptr<Insight> insight_;
+  Real origin_;
+};
+
+System later(System s, Real origin) {
+  // Of the time, the state, and perhaps more.
+  const auto move = [origin](auto& function) {
+    if (function)
+      function = [function, origin](Real t, const Real* y, auto... more) {
+        return function(origin + t, y, more...);
+      };
+  };
+  move(s.rhs);
+  move(s.jacobian);
+  move(s.entries);
+  move(s.taylor);
+  move(s.moved_rhs);
+  move(s.holds);
+  move(s.whole_rhs);
+  if (s.insight)
+    s.insight = [insight = s.insight, origin](Real span) {
+      return std::make_unique<LaterInsight>(insight(span), origin);
+    };
+  if (s.mode_at)
+    s.mode_at = [mode_at = s.mode_at, origin](Real t, const State& y, Real span, bool moved) {
+      auto mode = mode_at(origin + t, y, span, moved);
+      if (mode) *mode = later(*mode, origin);
+      return mode;
+    };
+  for (Real& t : s.switches) t -= origin;
+  s.t0 -= origin;
+  s.origin += origin;
+  return s;
+}
+
+}  // namespace
+
+System from_zero(const System& system) {
+  return system.t0 == 0 ? system : later(system, system.t0);
+}
 
 Run run_across(Method method, const System& system, const std::vector<Real>& times,
                const Effort& effort, bool moved) {
@@ -18,34 +95,63 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
   whole.split = true;
   Real t = system.t0;
   State y = moved ? system.moved_y0 : system.y0;
+  const Real span = times.back() - system.t0;
   std::vector<Real> left = times;
+  std::shared_ptr<System> before;  // up to a named switch at t
   for (int at_once = 0; !left.empty();) {
-    const std::shared_ptr<System> mode = system.mode_at(t, y, times.back() - system.t0, moved);
+    const std::shared_ptr<System> mode = system.mode_at(t, y, span, moved);
     if (!mode || at_once > most_at_once) {
       whole.end = fmt::format("{} t = {:.9Lg}",
                               mode ? "conditions change ever faster at"
-                                   : "the solution stays where a condition changes, from",
-                              t);
+                                   : "the solution stays where a condition changes (sliding), from",
+                              system.origin + t);
       return whole;
     }
+    if (before) {
+      if (whole.unsure.empty()) whole.sure = whole.states.size();
+      add_rounding(*before, *mode, t, y, whole.unsure);
+    }
+    before = nullptr;
+    mode->peaks = std::move(whole.peaks);
     mode->t0 = t;
     mode->y0 = y;
     mode->along = system.along;
     // Equations with more operations than a series is made for.
     const Method used = method == taylor_run && !mode->taylor ? extrapolation_run : method;
+    const auto next = std::ranges::upper_bound(system.switches, t);
+    const bool to_switch = next != system.switches.end() && *next < left.back();
+    const auto last = to_switch ? std::ranges::lower_bound(left, *next) : left.end();
+    std::vector<Real> until(left.begin(), last);
+    if (to_switch) until.push_back(*next);
     Effort of_part = effort;
     of_part.budget -= whole.work;
     of_part.inspect = true;
-    Run part = used(*mode, left, of_part);
+    of_part.span = span;
+    Run part = used(*mode, until, of_part);
     whole.work += part.work + work_of_change;
+    whole.peaks = std::move(part.peaks);
+    whole.reached = std::max(whole.reached, part.reached);
+    if (whole.unsure.empty()) whole.sure = whole.states.size() + part.sure;
+    add(part.unsure, whole.unsure);
+    const bool arrived = part.states.size() == until.size();
+    if (to_switch && arrived) {
+      t = *next;
+      y = part.states.back();
+      if (last == left.end() || *last > t) part.states.pop_back();
+      before = mode;
+    }
     left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(part.states.size()));
     std::move(part.states.begin(), part.states.end(), std::back_inserter(whole.states));
+    if (before) {
+      at_once = 0;
+      continue;
+    }
     if (!part.changed) {
       whole.end = std::move(part.end);
       whole.ends_at = part.ends_at;
       return whole;
     }
-    at_once = part.changed->first - t > 0x1p-38L * (times.back() - system.t0) ? 0 : at_once + 1;
+    at_once = part.changed->first - t > 0x1p-38L * span ? 0 : at_once + 1;
     t = part.changed->first;
     y = std::move(part.changed->second);
   }

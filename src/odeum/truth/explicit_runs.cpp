@@ -76,7 +76,7 @@ Run extrapolation_run(const System& system, const std::vector<Real>& times, cons
         for (int j = 0; j < lines; ++j) {
           const int parts = 2 * (j + 1);
           midpoint_rule(system, t, h, parts, y, f0, states, line);
-          trial.work += system.work * parts;
+          trial.work += (system.work + 20 + 6 * static_cast<double>(n)) * parts;
           extrapolate(table, j, line, difference, [&](int k) {  // in h^2
             const Real ratio = static_cast<Real>(parts) / (2 * (j - k));
             return 1 / (ratio * ratio - 1);
@@ -97,7 +97,7 @@ Run verner_run(const System& system, const std::vector<Real>& times, const Effor
   return march(
       system, times, effort, 9,
       [&](Real t, Real h, const State& y, const State& sizes) {
-        Trial trial{.y = y, .work = 19 * system.work};
+        Trial trial{.y = y, .work = 19 * (system.work + 20) + 100 * static_cast<double>(y.size())};
         stepper.step(t, h, trial.y, error);
         trial.error = noise.ratio(t, h, y, error, sizes, effort.tolerance);
         for (const Real x : trial.y) trial.error += 0 * x;

@@ -74,7 +74,8 @@ class RadauStage {
         for (std::size_t i = 0; i < n; ++i) stage[i] = y[i] + z_[s * n + i];
         system_.rhs(t + radau_.c[s] * h, stage.data(), f.data() + s * n);
       }
-      work_ += static_cast<double>(stages) * system_.work;
+      work_ +=
+          static_cast<double>(stages) * (system_.work + 200 + 4 * static_cast<double>(stages * n));
       for (std::size_t s = 0; s < stages; ++s)
         for (std::size_t i = 0; i < n; ++i) {
           Real sum = -z_[s * n + i];
@@ -188,7 +189,7 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
             factors.solve(d);
             for (std::size_t i = 0; i < line.size(); ++i) line[i] += d[i];
           }
-          trial.work += factors.factor_work() + parts * (system.work + factors.solve_work());
+          trial.work += factors.factor_work() + parts * (system.work + 60 + factors.solve_work());
           extrapolate(table, row, line, difference, [&](int k) {
             return 1 / (static_cast<Real>(parts) / (row - k - 1 + 2) - 1);
           });

@@ -167,6 +167,42 @@ void Inspector::rounding(Real t, const State& y, State& bound) {
     bound[i] = static_cast<Real>(values[enclosure_.place(i)][0].width()) * 0x1p-15L;
 }
 
+State Inspector::spread(Real t, Real h, const State& y, const State& next) {
+  State low(y.size(), std::numeric_limits<Real>::infinity()), high(y.size(), -low.front());
+  const auto extend = [&](bool whole) {
+    for (std::size_t s = 0; s < lanes; ++s) {
+      const Real part = static_cast<Real>(s) / (lanes - 1), at = t + part * h;
+      time_[s] = whole ? box_of(t, t + h) : box_of(at, at);
+      for (std::size_t i = 0; i < y.size(); ++i) {
+        const Real z = y[i] + part * (next[i] - y[i]), aside = (next[i] - y[i]) / 4;
+        states_[i][s] = whole ? box_of(std::min({y[i], next[i]}) - std::abs(aside),
+                                       std::max({y[i], next[i]}) + std::abs(aside))
+                              : box_of(z, z);
+      }
+    }
+    const auto& values = enclosure_(time_, states_);
+    for (std::size_t i = 0; i < y.size(); ++i)
+      for (const Interval& v : values[enclosure_.place(i)]) {
+        low[i] = std::min<Real>(low[i], whole ? v.low : v.middle());
+        high[i] = std::max<Real>(high[i], whole ? v.high : v.middle());
+      }
+  };
+  extend(true);
+  State width(y.size());
+  bool bounded = true;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    width[i] = high[i] - low[i];
+    bounded = bounded && std::isfinite(width[i]);
+  }
+  if (bounded) return width;
+  std::ranges::fill(low, std::numeric_limits<Real>::infinity());
+  std::ranges::fill(high, -std::numeric_limits<Real>::infinity());
+  extend(false);
+  for (std::size_t i = 0; i < y.size(); ++i)
+    if (!std::isfinite(width[i])) width[i] = high[i] - low[i];
+  return width;
+}
+
 Inside Inspector::look(Real t, Real h, const State& y, const State& slope, const State& next,
                        const State& next_slope) {
   t_ = t;
@@ -184,7 +220,6 @@ Inside Inspector::look(Real t, Real h, const State& y, const State& slope, const
     for (std::size_t s = 0; s < unresolved; ++s)
       if (!is_resolved(step.op, values[step.a][s], values[step.b][s], values[k][s])) unresolved = s;
   }
-  if (h <= shortest_inspected * span_) unresolved = lanes;
   int cells = 0;
   const std::array<bool, lanes> open = undecided(values);
   if (std::find(open.begin(), open.begin() + unresolved, true) != open.begin() + unresolved) {

@@ -22,6 +22,9 @@ class Inspector {
   /// `slope`, `next_slope`: of the solution at both ends.
   Inside look(Real t, Real h, const State& y, const State& slope, const State& next,
               const State& next_slope);
+  /// By how much the equations may vary over the box between both ends of the step; where they have
+  /// no bound there, by how much they vary at samples of it.
+  State spread(Real t, Real h, const State& y, const State& next);
   /// Bounds of the rounding of the equations in extended precision.
   void rounding(Real t, const State& y, State& bound);
 

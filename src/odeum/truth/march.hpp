@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -14,18 +15,11 @@
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/truth/along.hpp"
-#include "odeum/truth/inspector.hpp"
+#include "odeum/truth/ending.hpp"
 #include "odeum/truth/sizes.hpp"
+#include "odeum/truth/watch.hpp"
 
 namespace odeum::truth {
-
-/// A trial step from (t, y): the new state, its error over the tolerance (of an order), and what
-/// the step has cost.
-struct Trial {
-  State y;
-  Real error = 0;
-  double work = 0;
-};
 
 /// What rounding of y moves f by, by component: no method at a step of h has an error below h times
 /// that, and none is asked for it.
@@ -106,87 +100,14 @@ inline Real step_factor(Real error, int order) {
 /// noise of f are not asked for errors below that noise.
 constexpr Real short_memory = 0.999L;
 
-/// The end of the part of a step from y up to which its conditions hold, just beyond it, and the
-/// state there, by shorter steps; nothing where they hold to the end. They are thought to change
-/// between two parts of the step.
-template <class Step>
-std::optional<std::pair<Real, State>> locate_change(const System& system, Real t, Real h,
-                                                    const Inside& inside, const State& y,
-                                                    const State& sizes, Step&& step, double& work) {
-  State end;
-  const auto holds_at = [&](Real part) {
-    Trial trial = step(t, part, y, sizes);
-    work += trial.work;
-    end = std::move(trial.y);
-    return system.holds(t + part, end.data());
-  };
-  // Where the path on which the change was found was not accurate it is nearby.
-  Real low = h * inside.from, high = h * inside.to, width = high - low;
-  Real above = low > 0 ? holds_at(low) : 1, below = holds_at(high);
-  while (low > 0 && above <= 0) {
-    high = low;
-    below = above;
-    width *= 2;
-    low = std::max<Real>(0, low - width);
-    above = low > 0 ? holds_at(low) : 1;
-  }
-  while (!(below <= 0)) {
-    if (high >= h) return std::nullopt;
-    width *= 2;
-    high = std::min(h, high + width);
-    below = holds_at(high);
-  }
-  holds_at(high);
-  State beyond = end;
-  const Real enough = 2 * std::numeric_limits<Real>::epsilon() * std::max(std::abs(t), h);
-  for (int k = 0; high - low > enough && k < 200; ++k) {
-    // The secant, which is weighted where an end stays (Illinois), and halving.
-    const Real secant = low + (high - low) * above / (above - below);
-    const bool inside_of = k % 3 != 2 && secant > low && secant < high && low > 0;
-    const Real part = inside_of ? secant : low + (high - low) / 2;
-    if (part <= low || part >= high) break;
-    const Real value = holds_at(part);
-    if (value <= 0) {
-      high = part;
-      below = value;
-      beyond = end;
-      above /= 2;
-    } else {
-      low = part;
-      above = value;
-      below /= 2;
-    }
-  }
-  return std::pair{t + high, std::move(beyond)};
+/// What a start at zero comes to in h, at most 1. `f`: the slope at the start.
+inline Real size_soon(const System& system, Real h, State y, State f) {
+  const Real size = size_of(f);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = h * f[i];
+  system.rhs(system.t0 + h, y.data(), f.data());
+  const Real later = size_of(f);
+  return std::min(h * (std::isfinite(later) ? std::max(size, later) : size), 1.0L);
 }
-
-/// Looks into steps that are accurate enough by their own estimates.
-struct Watch {
-  Real span = 1;
-  std::unique_ptr<Insight> insight;
-  Real part = 1;     ///< of a step that does not pass, which is to be tried next
-  int shortest = 0;  ///< steps that were hardly longer than is looked into
-
-  /// Whether the step from y to `next` may be taken; else the run has ended, or `part` is set.
-  template <class Step>
-  bool lets_pass(const System& system, Real t, Real h, const State& y, const State& sizes,
-                 const State& next, Step&& step, Run& run) {
-    constexpr int most_of_shortest = 2000;
-    const Inside inside = insight->look(t, h, y, next);
-    if (inside.kind == Inside::Kind::change)
-      run.changed = locate_change(system, t, h, inside, y, sizes, step, run.work);
-    if (run.changed) return false;
-    // A change that is not there was found on a path that is too inaccurate.
-    if (inside.kind != Inside::Kind::nothing && h > shortest_inspected * span) {
-      run.split = true;
-      part = std::clamp(inside.from, 0.25L, 0.75L);
-      return false;
-    }
-    if (h < 8 * shortest_inspected * span && ++shortest > most_of_shortest)
-      run.end = fmt::format("the equations are not resolved from t = {:.9Lg} on", t);
-    return run.end.empty();
-  }
-};
 
 /// Steps through the times with `step(t, h, y, sizes) -> Trial`, whose error is of order `order` in
 /// h and relative to the tolerance.
@@ -200,56 +121,66 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   if (effort.watched) effort.watched->take(y);
   system.rhs(system.t0, y.data(), f.data());
   Real t = system.t0;
-  const Real span = times.back() - t;
+  const Real span = effort.span > 0 ? effort.span : times.back() - t;
+  // Of a start at zero the slope tells a size, for one step.
+  if (measured.none_yet()) measured.expect(size_soon(system, span * 0x1p-20L, y, f));
   const Real slope = largest_ratio(f, sizes);
-  // At the last of the times, which may be the end itself, and at the one before.
-  Real last_slope = size_of(f), earlier_slope = last_slope;
   Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / effort.parts);
   Watch watch{.span = span,
               .insight = effort.inspect && system.insight ? system.insight(span) : nullptr};
+  Ending ending;
+  Disturbance disturbance;
+  // Of a step, as measured: of allocations, and of the inspector's intervals.
+  const double overhead =
+      200 + 20 * static_cast<double>(y.size()) + (watch.insight ? 400 + 40 * system.work : 0);
   for (const Real time : times) {
     while (t < time) {
       if (interrupted) throw Interrupted();
       const bool late = is_past(effort.until);
       if (late || run.work > effort.budget) {
-        run.end = fmt::format("the {} spent at t = {:.6Lg}", late ? "seconds are" : "work is", t);
+        run.end = fmt::format("the {} spent at t = {:.6Lg}", late ? "seconds are" : "work is",
+                              system.origin + t);
         return run;
       }
-      if (!(h > 4 * std::numeric_limits<Real>::epsilon() * std::abs(t)) || !(h > 1e-300L)) {
-        run.end = fmt::format(
-            "the steps vanish at t = {:.9Lg}: the solution or the equations end there", t);
-        system.rhs(t, y.data(), f.data());
-        // At a kink, where steps vanish too, it is bounded.
-        constexpr Real unbounded = 1e6L;
-        if (!(size_of(f) <= unbounded * std::min(last_slope, earlier_slope))) run.ends_at = t;
+      const Real unit = std::numeric_limits<Real>::epsilon() * std::abs(t);
+      if (!(h > 4 * unit) || !(h > 1e-300L)) {
+        if (ending.is_of_solution(system, t, y, unit)) run.ends_at = t;
+        run.end = fmt::format("the steps vanish at t = {:.9Lg}: {}", system.origin + t,
+                              std::isfinite(run.ends_at)
+                                  ? "the solution or the equations end there"
+                                  : "the equations end there, or have something that is shorter "
+                                    "than steps can be");
         return run;
       }
       const bool last = t + h * (1 + 1e-6L) >= time;
       const Real used = last ? time - t : h;
       Trial trial = step(t, used, y, sizes);
-      run.work += trial.work;
+      run.work += trial.work + overhead;
       const Real factor = step_factor(trial.error, order);
       if (!std::isfinite(trial.error) || trial.error > 1) {
         h = used * std::clamp(factor, 0.1L, 0.7L);
         continue;
       }
       if (watch.insight && !watch.lets_pass(system, t, used, y, sizes, trial.y, step, run)) {
+        run.peaks = measured.peaks();
         if (run.changed || !run.end.empty()) return run;
         h = used * watch.part;
         continue;
       }
+      ending.add(t, y);
       y = std::move(trial.y);
+      if (effort.disturb) disturbance.move(y);
       measured.update(y);
       if (effort.watched) effort.watched->take(y);
       t = last ? time : t + used;
+      run.reached = t;
       const Real next = used * std::clamp(factor, 0.2L, 3.0L);
       h = std::min(last ? std::max(h, next) : next, span / effort.parts);
     }
     run.states.push_back(y);
     if (effort.watched) effort.watched->mark();
-    system.rhs(t, y.data(), f.data());
-    earlier_slope = std::exchange(last_slope, size_of(f));
   }
+  run.peaks = measured.peaks();
   return run;
 }
 

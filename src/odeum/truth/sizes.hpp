@@ -16,13 +16,28 @@ class Sizes {
   /// `memory`: what remains of an earlier size after a step, down to 1e-4 of the component's
   /// largest.
   Sizes(const System& system, const State& y, Real least_part, Real memory)
-      : now(y.size(), 0), peaks_(now), least_part_(least_part), memory_(memory) {
+      : now(y.size(), 0), peaks_(system.peaks), least_part_(least_part), memory_(memory) {
+    peaks_.resize(y.size());
     if (system.along) along_ = system.along.get();
     update(y);
   }
 
+  /// Whether all has been zero.
+  bool none_yet() const {
+    return std::ranges::all_of(peaks_, [](Real peak) { return peak == 0; });
+  }
+  /// For one step.
+  void expect(Real size) {
+    for (Real& each : now) each = std::max(each, size);
+    expected_ = true;
+  }
+  const State& peaks() const { return peaks_; }
+
   void update(const State& y) {
-    Real largest = 0;
+    // From zero a solution may rise through numbers that are too small to matter.
+    Real largest = 1e-34L;
+    if (expected_) std::ranges::fill(now, 0);
+    expected_ = false;
     for (std::size_t i = 0; i < y.size(); ++i) {
       const Real size = std::abs(y[i]);
       peaks_[i] = std::max(peaks_[i], size);
@@ -46,6 +61,7 @@ class Sizes {
 
   const Along* along_ = nullptr;
   State peaks_;
+  bool expected_ = false;  ///< the sizes are those of expect()
   Real least_part_, memory_;
 };
 

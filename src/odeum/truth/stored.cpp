@@ -75,9 +75,16 @@ std::optional<Reference> kept_or_computed(
     const ErrorUnits& units, const std::function<std::optional<Reference>()>& compute) {
   content += fmt::format("\n{}\n{} {} {}", build::truth_code, fmt::join(stops, " "),
                          fmt::join(units.scale, " "), fmt::join(units.relative_from, " "));
-  const std::string name = formula::content_key(content) + ".reference";
-  if (const auto text = formula::kept_text(name))
-    if (auto held = from_text(*text, states)) return held;
+  std::string name = formula::content_key(content) + ".reference";
+  const auto held = [&]() -> std::optional<Reference> {
+    const auto text = formula::kept_text(name);
+    return text ? from_text(*text, states) : std::nullopt;
+  };
+  if (auto finest = held()) return finest;
+  if (const double accuracy = Accuracy::in_force(); accuracy > 0) {
+    name = formula::content_key(content + fmt::format("\n{}", accuracy)) + ".reference";
+    if (auto enough = held()) return enough;
+  }
   const Moment until = Deadline::in_force();
   std::optional<Reference> reference = compute();
   if (reference && !is_past(until)) formula::keep_text(name, to_text(*reference));

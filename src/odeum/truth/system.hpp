@@ -36,15 +36,22 @@ class Insight {
   virtual Inside look(Real t, Real h, const State& y, const State& next) = 0;
   /// A bound of the rounding of f at (t, y) in extended precision, by component; false: not known.
   virtual bool rounding(Real /*t*/, const State& /*y*/, State& /*bound*/) { return false; }
+  /// By how much f may vary within a step that is too short to be looked into, by component.
+  virtual State spread(Real /*t*/, Real /*h*/, const State& y, const State& /*next*/) {
+    return State(y.size());
+  }
 };
 
 struct Along;
 class Watched;
+/// Part of itself, see System::moved_rhs and Effort::disturb.
+inline constexpr Real moved_by = 0x1p-40L;
 
 /// An initial value problem in extended precision.
 struct System {
   std::size_t states = 0;
   Real t0 = 0;
+  Real origin = 0;  ///< what messages add to a time, see from_zero()
   State y0;
   std::function<void(Real t, const Real* y, Real* f)> rhs;
   std::function<void(Real t, const Real* y, Real* j)> jacobian;  ///< dense, row-major
@@ -55,9 +62,10 @@ struct System {
   /// Coefficients of the Taylor series, see WithTaylorSeries; empty: none.
   std::function<void(Real t, const Real* y, int order, Real* c)> taylor;
   /// The right-hand side with every constant and initial value that rounding has moved (decimals,
-  /// roots) changed by 2^-30 of itself: how rounding of constants acts.
+  /// roots) changed by `moved_by` of itself: how rounding of constants acts.
   std::function<void(Real t, const Real* y, Real* f)> moved_rhs;
   State moved_y0;
+  State peaks;  ///< what each component has come to before t0; empty: it begins there
   bool smooth = true;
   /// For a run of the length `span`; empty: there is none.
   std::function<std::unique_ptr<Insight>(Real span)> insight;
@@ -65,7 +73,11 @@ struct System {
   /// positive, on constants that are moved or not; null: none does, since the solution stays
   /// where a condition changes.
   std::function<std::shared_ptr<System>(Real t, const State& y, Real span, bool moved)> mode_at;
+  /// Times, ascending, at which steps end, since one mode ends and another one begins there.
+  State switches;
   std::function<Real(Real t, const Real* y)> holds;
+  /// Of a mode, the right-hand side of which it is one; empty: it is no mode.
+  std::function<void(Real t, const Real* y, Real* f)> whole_rhs;
   /// Whether several threads may call the functions at once.
   bool concurrent = false;
   Real rounding = 0x1p-63L;  ///< of the right-hand side, relative: that of double for foreign code
@@ -97,12 +109,18 @@ struct Run {
   std::vector<State> states;  ///< one a time; fewer where the run ended early
   std::string end;            ///< why it ended early; empty: it did not
   double work = 0;            ///< operations spent
+  Real reached = 0;           ///< the time
   /// Where the slope of the solution grows without bound, at a pole or a root: it ends there.
   /// Infinite: nowhere that is known.
   Real ends_at = std::numeric_limits<Real>::infinity();
   bool split = false;  ///< steps were shortened for what was found inside of them
   /// The time just after a condition has changed, at which the run ended, and the state there.
   std::optional<std::pair<Real, State>> changed;
+  /// By component, what steps too short to be looked into may hide, and what the rounding of the
+  /// times of switches moves; empty: nothing.
+  State unsure;
+  std::size_t sure = 0;  ///< how many of the first states are not moved by that
+  State peaks;           ///< the largest of each component
 };
 
 using Moment = std::chrono::steady_clock::time_point;
@@ -112,6 +130,8 @@ struct Effort {
   Real tolerance = 1e-18L;       ///< per step, relative to the size of the solution
   double budget = 3e9;           ///< operations
   bool inspect = false;          ///< look into each step
+  Real span = 0;                 ///< of the whole, of which a run is a part; 0: it is the whole
+  bool disturb = false;          ///< change each state by `moved_by` of itself after a step
   Moment until = Moment::max();  ///< see Deadline
   Real parts = 50;               ///< of the span, one of which no step is longer than
   Watched* watched = nullptr;    ///< sees each step; null: nothing does
@@ -136,6 +156,10 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
 /// table amplify rounding by some hundreds.
 inline constexpr Real finest_implicit_extrapolation = 1e-16L;
 
+/// The same with the time since the start as its time, whose rounding at the start is none: a
+/// transient may be shorter than the last place of t0.
+System from_zero(const System& system);
+
 /// A run across all changes of conditions, in a smooth system between two of them.
 Run run_across(Method method, const System& system, const std::vector<Real>& times,
                const Effort& effort, bool moved);
@@ -156,6 +180,21 @@ class Deadline {
   Moment before_;
 };
 inline bool is_past(Moment moment) { return std::chrono::steady_clock::now() > moment; }
+
+/// While it lives, references need to be known no better than to this error, in the units of their
+/// errors.
+class Accuracy {
+ public:
+  explicit Accuracy(double error) : before_(in_force_.exchange(error)) {}
+  ~Accuracy() { in_force_ = before_; }
+  Accuracy(const Accuracy&) = delete;
+  Accuracy& operator=(const Accuracy&) = delete;
+  static double in_force() { return in_force_; }  ///< 0: as well as can be
+
+ private:
+  static inline std::atomic<double> in_force_{0};
+  double before_;
+};
 
 /// A computed reference.
 struct Reference {

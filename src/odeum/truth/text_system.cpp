@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/truth/text_system.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <set>
@@ -9,8 +11,9 @@
 #include <vector>
 
 #include "odeum/formula/modes.hpp"
+#include "odeum/formula/switch_times.hpp"
 #include "odeum/linear/ordering.hpp"
-#include "odeum/truth/inspector.hpp"
+#include "odeum/truth/text_insight.hpp"
 
 namespace odeum::truth {
 namespace {
@@ -29,41 +32,8 @@ Real moved(Real c) {
   constexpr Real few = 0x1p24L;
   const bool exact = c == 0 || std::ldexp(few, std::ilogb(c)) == 0 ||
                      std::remainder(c, std::ldexp(1 / few, std::ilogb(c))) == 0;
-  return exact ? c : c * (1 + 0x1p-30L);
+  return exact ? c : c * (1 + moved_by);
 }
-
-using Holds = std::function<Real(Real t, const Real* y)>;
-
-/// By interval arithmetic on the equations, and on conditions that are positive.
-class TextInsight : public Insight {
- public:
-  TextInsight(std::shared_ptr<const TextOde> ode, const std::vector<Id>& conditions, Holds holds,
-              Real t0, Real span)
-      : ode_(std::move(ode)),
-        holds_(std::move(holds)),
-        inspector_(ode_->problem().graph, ode_->problem().equations, conditions, t0, span),
-        slope_(ode_->size()),
-        next_slope_(slope_) {}
-
-  Inside look(Real t, Real h, const State& y, const State& next) override {
-    ode_->rhs_extended(t, y.data(), slope_.data());
-    ode_->rhs_extended(t + h, next.data(), next_slope_.data());
-    Inside inside = inspector_.look(t, h, y, slope_, next, next_slope_);
-    if (inside.kind == Inside::Kind::nothing && holds_ && !(holds_(t + h, next.data()) > 0))
-      inside.kind = Inside::Kind::change;
-    return inside;
-  }
-  bool rounding(Real t, const State& y, State& bound) override {
-    inspector_.rounding(t, y, bound);
-    return true;
-  }
-
- private:
-  std::shared_ptr<const TextOde> ode_;
-  Holds holds_;
-  Inspector inspector_;
-  State slope_, next_slope_;
-};
 
 /// A text without kinks, and its derivatives.
 System smooth_system(const std::shared_ptr<const TextOde>& ode) {
@@ -93,32 +63,32 @@ System smooth_system(const std::shared_ptr<const TextOde>& ode) {
   return system;
 }
 
-/// The smooth parts of a text with kinks.
+/// The smooth parts of a text with kinks. Steps end at the switches that the text names, so that
+/// their conditions need not be looked at within steps.
 class Modes {
  public:
-  explicit Modes(std::shared_ptr<const TextOde> ode) : ode_(std::move(ode)) {}
+  Modes(std::shared_ptr<const TextOde> ode, formula::SwitchTimes named)
+      : ode_(std::move(ode)), named_(std::move(named)) {}
 
   std::shared_ptr<System> at(Real t, const State& y, Real span, bool is_moved) {
     const std::lock_guard lock(used_);
-    formula::Signs signs = signs_at(t, y, is_moved);
-    // A change of a condition changes the slope, and with it perhaps other conditions.
-    constexpr int most_rounds = 40;
-    for (int round = 0; round < most_rounds; ++round) {
-      Part& part = part_of(signs, is_moved);
-      bool settled = true;
-      const Real after = span * 0x1p-40L;
-      const State next = short_way(part, t, y, after);
-      State values(part.mode.switches.size());
-      (*part.conditions)(t + after, next.data(), values.data());
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        int& sign = signs[part.mode.ids[k]];
-        const int now = part.mode.sign(k, values[k]);
-        settled = settled && now == part.mode.signs.at(part.mode.ids[k]);
-        sign = now;
-      }
-      if (settled) return has_become_zero(part.mode, t) ? nullptr : system_of_part(part, t);
+    const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * std::abs(t);
+    const auto later = std::ranges::upper_bound(named_.times, t + rounding);
+    const Real left = (later == named_.times.end() ? end() : *later) - t;
+    middle_ = t + left / 2;
+    // A condition of which only a higher derivative is not zero changes after a while; what changes
+    // back within that while is found by a shorter one.
+    Part* chosen = nullptr;
+    for (const Real part : {0x1p-40L, 0x1p-50L}) {
+      const Real after = std::min(span * part, left / 4);
+      Part* const found = settled(t, y, after, is_moved);
+      if (chosen && (!found || found == chosen || !differ(*found, *chosen, t, y, span * 0x1p-40L)))
+        break;
+      chosen = found;
+      if (!chosen) break;
     }
-    return nullptr;
+    if (!chosen || has_become_zero(chosen->mode, t)) return nullptr;
+    return system_of_part(*chosen, t);
   }
 
  private:
@@ -129,11 +99,48 @@ class Modes {
     std::vector<Id> positive, zero;  ///< the conditions with the signs that they have here
   };
 
+  /// The part whose conditions hold a while after t; null: there is none.
+  Part* settled(Real t, const State& y, Real after, bool is_moved) {
+    formula::Signs signs = signs_at(t, y, is_moved);
+    // A change of a condition changes the slope, and with it perhaps other conditions.
+    constexpr int most_rounds = 40;
+    for (int round = 0; round < most_rounds; ++round) {
+      Part& part = part_of(signs, is_moved);
+      bool holds = true;
+      const State next = short_way(part, t, y, after);
+      State values(part.mode.switches.size());
+      (*part.conditions)(t + after, next.data(), values.data());
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const Id id = part.mode.ids[k];
+        if (named_.nodes.contains(id)) continue;
+        const int now = part.mode.sign(k, values[k]);
+        holds = holds && now == part.mode.signs.at(id);
+        signs[id] = now;
+      }
+      if (holds) return &part;
+    }
+    return nullptr;
+  }
+
+  /// Whether it matters which of the parts holds for a while.
+  static bool differ(const Part& a, const Part& b, Real t, const State& y, Real while_) {
+    constexpr Real little = 1e-16L;
+    State f(y.size()), g(y.size());
+    a.ode->rhs_extended(t, y.data(), f.data());
+    b.ode->rhs_extended(t, y.data(), g.data());
+    Real size = 0, apart = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      size = std::max(size, std::abs(y[i]));
+      apart = std::max(apart, std::abs(f[i] - g[i]));
+    }
+    return !(apart * while_ <= little * (size > 0 ? size : 1));
+  }
+
   /// Where a solution comes to rest at a change, other solutions may leave it.
   bool has_become_zero(const formula::Mode& mode, Real t) {
     bool has = false;
     for (const auto& [id, sign] : mode.signs) {
-      if (sign != 0) continue;
+      if (sign != 0 || named_.nodes.contains(id)) continue;
       if (t == ode_->problem().t0) zero_.insert(id);
       has = has || !zero_.contains(id);
     }
@@ -146,9 +153,13 @@ class Modes {
     for (std::size_t known = 0;;) {
       const formula::Mode mode = mode_with(signs, is_moved);
       const formula::Evaluator<Real> conditions(mode.problem.graph, mode.switches);
-      State values(mode.switches.size());
+      State values(mode.switches.size()), named(mode.switches.size());
       conditions(t, y.data(), values.data());
-      for (std::size_t k = 0; k < values.size(); ++k) signs[mode.ids[k]] = mode.sign(k, values[k]);
+      conditions(middle_, y.data(), named.data());
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const Real value = named_.nodes.contains(mode.ids[k]) ? named[k] : values[k];
+        signs[mode.ids[k]] = mode.sign(k, value);
+      }
       if (signs.size() == known) return signs;
       known = signs.size();
     }
@@ -163,6 +174,7 @@ class Modes {
     if (added) {
       Part& part = at->second;
       for (std::size_t k = 0; k < mode.switches.size(); ++k) {
+        if (named_.nodes.contains(mode.ids[k])) continue;
         if (mode.signs.at(mode.ids[k]) == 0)
           part.zero.push_back(mode.switches[k]);
         else
@@ -187,10 +199,14 @@ class Modes {
     }
     return y;
   }
-  static std::shared_ptr<System> system_of_part(const Part& part, Real t) {
+  std::shared_ptr<System> system_of_part(const Part& part, Real t) const {
     auto system = std::make_shared<System>(smooth_system(part.ode));
+    system->work *= 5;  // interpreted
     std::vector<Id> all = part.positive;
     all.insert(all.end(), part.zero.begin(), part.zero.end());
+    system->whole_rhs = [ode = ode_](Real at, const Real* y, Real* f) {
+      ode->rhs_extended(at, y, f);
+    };
     const auto holds =
         std::make_shared<const formula::Evaluator<Real>>(part.ode->problem().graph, all);
     system->holds = [holds, positive = part.positive.size(), count = all.size()](Real at,
@@ -204,15 +220,18 @@ class Modes {
                                                  : -std::abs(values[k]));
       return least;
     };
-    system->insight = [ode = part.ode, positive = part.positive, holds = system->holds,
-                       t](Real span) {
-      return std::make_unique<TextInsight>(ode, positive, holds, t, span);
+    system->insight = [ode = part.ode, whole = ode_, positive = part.positive,
+                       holds = system->holds, t](Real span) {
+      return std::make_unique<TextInsight>(ode, whole, positive, holds, t, span);
     };
     return system;
   }
+  Real end() const { return ode_->problem().stops.back(); }
 
   std::shared_ptr<const TextOde> ode_;
+  formula::SwitchTimes named_;
   std::mutex used_;
+  Real middle_ = 0;  ///< of the time up to the next named switch
   std::map<std::pair<formula::Signs, bool>, Part> parts_;
   std::set<Id> zero_;  ///< from the start on
 };
@@ -224,14 +243,16 @@ System system_of(const std::shared_ptr<const TextOde>& ode) {
   const formula::Problem& problem = ode->problem();
   for (const Real y : problem.y0) system.moved_y0.push_back(moved(y));
   if (!system.smooth) {
-    const auto modes = std::make_shared<Modes>(ode);
+    formula::SwitchTimes named = formula::switch_times(problem, problem.stops.back());
+    system.switches = named.times;
+    const auto modes = std::make_shared<Modes>(ode, std::move(named));
     system.mode_at = [modes](Real t, const State& y, Real span, bool is_moved) {
       return modes->at(t, y, span, is_moved);
     };
     return system;
   }
   system.insight = [ode, t0 = system.t0](Real span) {
-    return std::make_unique<TextInsight>(ode, std::vector<Id>{}, nullptr, t0, span);
+    return std::make_unique<TextInsight>(ode, ode, std::vector<Id>{}, nullptr, t0, span);
   };
   auto evaluator = std::make_shared<formula::Evaluator<Real>>(problem.graph, problem.equations);
   evaluator->perturb(moved);
