@@ -135,6 +135,9 @@ TEST(ProposedScale, KnowsRoundingFromATraceSpecies) {
       "states: {x: 1000, y: 1000, d: 0, z: 0}\nequations: {x: -0.1*x, y: -y/10, d: 3*(x - y) - d, "
       "z: 0}\ntime: {end: 5}\n");
   EXPECT_EQ(c.units.scale, (Scale{1e3, 1e3, 1e3, 1e3}));
+  // It was said of d that it never exceeds its tolerance, and that it falls below zero.
+  const Made run(c, "odeum/dormand_prince54", 1e-6);
+  for (const std::string& said : judge::remarks(c, run.request, run.outcome)) ADD_FAILURE() << said;
 }
 
 TEST(ProposedScale, IsKnownBeforeTheTruth) {

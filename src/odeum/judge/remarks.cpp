@@ -145,6 +145,8 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
   if (c.truth.closed_form)
     for (int k = 1; k < samples; ++k) take_truth_at(c.t0 + (until - c.t0) * k / samples);
   for (std::size_t i = 0; i < n; ++i) {
+    // One that is zero, or the rounding of others.
+    if (!c.truth.largest.empty() && c.truth.largest[i] == 0) continue;
     // Of a component that is zero throughout, zero is the value.
     if (request.mode == Mode::adaptive && largest[i] > 0 &&
         largest[i] < request.tolerance.absolute(i))
