@@ -99,5 +99,13 @@ TEST(RunCode, IsThatOfAFailureWhereEachRunHasDiverged) {
   EXPECT_EQ(one.code, 0) << one.output;
 }
 
+// Without them an implicit step looks as cheap as its evaluations.
+TEST(SceneCommands, WhatLinearSolversTakeIsPrinted) {
+  const Result result =
+      shell("odeum run chain --solver implicit_euler_linearised --step 1/60 --until 0.1");
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(result.output.find(" products in linear solvers"), std::string::npos) << result.output;
+}
+
 }  // namespace
 }  // namespace odeum::tests::run_outputs_test

@@ -283,14 +283,6 @@ TEST(SceneCommands, FactorsCountAgainstABudget) {
   EXPECT_FALSE(guard.admit());
 }
 
-// Without them an implicit step looks as cheap as its evaluations.
-TEST(SceneCommands, WhatLinearSolversTakeIsPrinted) {
-  const Result result =
-      shell("odeum run chain --solver implicit_euler_linearised --step 1/60 --until 0.1");
-  EXPECT_EQ(result.code, 0) << result.output;
-  EXPECT_NE(result.output.find(" products in linear solvers"), std::string::npos) << result.output;
-}
-
 TEST(SceneCommands, ARunHasItsErrorInMetres) {
   const Result result = shell("odeum run spinning_pair");
   EXPECT_EQ(result.code, 0) << result.output;

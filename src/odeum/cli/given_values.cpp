@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "odeum/cli/run.hpp"
+#include "odeum/input/near_words.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -83,6 +84,32 @@ std::map<std::string, double> library_options(const RunOptions& options, const S
     values[name] = value;
   }
   return values;
+}
+
+formula::Overrides overrides_of(const std::vector<std::string>& sets) {
+  formula::Overrides overrides;
+  for (const std::string& set : sets) {
+    const std::size_t equal = set.find('=');
+    if (equal == std::string::npos || equal == 0 || equal + 1 == set.size())
+      throw UsageError("--set: got {}, expected NAME=VALUE", shown(set));
+    if (!overrides.emplace(set.substr(0, equal), set.substr(equal + 1)).second)
+      throw UsageError("--set: {} is given twice", shown(set.substr(0, equal)));
+  }
+  return overrides;
+}
+
+void keep_chosen(const std::string& path, const std::string& chosen,
+                 std::vector<Statement>& statements) {
+  std::vector<std::string> ids;
+  for (const Statement& each : statements) ids.push_back(each.id);
+  if (chosen.empty() && ids.size() > 1)
+    throw UsageError("{} has {} cases; got no --case, expected --case with {}", path, ids.size(),
+                     one_of(ids));
+  if (chosen.empty()) return;
+  std::erase_if(statements, [&](const Statement& each) { return each.id != chosen; });
+  if (statements.empty())
+    throw UsageError("--case: {} has no such case; got {}, expected {}", path, shown(chosen),
+                     one_of(ids, chosen));
 }
 
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command) {

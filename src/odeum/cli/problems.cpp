@@ -35,18 +35,6 @@ std::map<std::string, std::string>& loaded_words() {
   return words;
 }
 
-formula::Overrides overrides_of(const std::vector<std::string>& sets) {
-  formula::Overrides overrides;
-  for (const std::string& set : sets) {
-    const std::size_t equal = set.find('=');
-    if (equal == std::string::npos || equal == 0 || equal + 1 == set.size())
-      throw UsageError("--set: got {}, expected NAME=VALUE", shown(set));
-    if (!overrides.emplace(set.substr(0, equal), set.substr(equal + 1)).second)
-      throw UsageError("--set: {} is given twice", shown(set.substr(0, equal)));
-  }
-  return overrides;
-}
-
 bool has_yaml_name(const std::string& word) {
   return word.ends_with(".yaml") || word.ends_with(".yml");
 }
@@ -112,35 +100,27 @@ Cases load_text(const std::string& path, const std::vector<std::string>& sets, c
   }
 }
 
-void keep_chosen(const std::string& path, const std::string& chosen,
-                 std::vector<Statement>& statements) {
-  std::vector<std::string> ids;
-  for (const Statement& each : statements) ids.push_back(each.id);
-  if (chosen.empty() && ids.size() > 1)
-    throw UsageError("{} has {} cases; got no --case, expected --case with {}", path, ids.size(),
-                     one_of(ids));
-  if (chosen.empty()) return;
-  std::erase_if(statements, [&](const Statement& each) { return each.id != chosen; });
-  if (statements.empty())
-    throw UsageError("--case: {} has no such case; got {}, expected {}", path, shown(chosen),
-                     one_of(ids, chosen));
+/// The text that a command names, a file's or a built-in one; none where it is no text.
+std::optional<cases::TextSource> source_of(const std::string& what, const ProblemOptions& options,
+                                           const Case& c) {
+  const formula::Overrides set = overrides_of(options.sets);
+  if (is_problem_file(what) && !is_fmu(what)) {
+    const std::string text = formula::problem_text(what);
+    std::vector<Statement> statements = cases::text_statements(what, text, stem_of(what), set);
+    keep_chosen(what, options.chosen, statements);
+    return cases::TextSource{what, text, statements.front().id, set};
+  }
+  const cases::BuiltInText* const text = cases::built_in_text_of(c.id);
+  return text ? std::optional(cases::source_of(*text, c.id, set)) : std::nullopt;
 }
 
 }  // namespace
 
 std::string struct_of(const std::string& what, const ProblemOptions& options, const Case& c,
                       const SolverInfo& solver) {
-  const bool series = solver.family == "taylor";
-  const formula::Overrides set = overrides_of(options.sets);
   try {
-    if (is_problem_file(what) && !is_fmu(what)) {
-      const std::string text = formula::problem_text(what);
-      std::vector<Statement> statements = cases::text_statements(what, text, stem_of(what), set);
-      keep_chosen(what, options.chosen, statements);
-      return cases::CaseText({what, text, statements.front().id, set}).as_struct(series);
-    }
-    if (const cases::BuiltInText* const text = cases::built_in_text_of(c.id))
-      return cases::CaseText(cases::source_of(*text, c.id, set)).as_struct(series);
+    if (const auto source = source_of(what, options, c))
+      return cases::CaseText(*source).as_struct(solver.family == "taylor");
   } catch (const std::exception& error) {
     throw UsageError("--code: {}", error.what());
   }
@@ -149,17 +129,8 @@ std::string struct_of(const std::string& what, const ProblemOptions& options, co
 
 cases::Conditions conditions_of(const std::string& what, const ProblemOptions& options,
                                 const Case& c) {
-  const formula::Overrides set = overrides_of(options.sets);
-  if (is_problem_file(what) && !is_fmu(what)) {
-    const std::string text = formula::problem_text(what);
-    std::vector<Statement> statements = cases::text_statements(what, text, stem_of(what), set);
-    keep_chosen(what, options.chosen, statements);
-    cases::CaseText read({what, text, statements.front().id, set});
-    return cases::conditions_of(read.problem());
-  }
-  const cases::BuiltInText* const text = cases::built_in_text_of(c.id);
-  if (!text) return {};
-  return cases::conditions_of(cases::CaseText(cases::source_of(*text, c.id, set)).problem());
+  const auto source = source_of(what, options, c);
+  return source ? cases::conditions_of(cases::CaseText(*source).problem()) : cases::Conditions();
 }
 
 std::string SceneSource::read(std::size_t most_bytes, const std::string& raise) const {

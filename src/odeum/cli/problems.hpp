@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/span.hpp"
 #include "odeum/core/shell_word.hpp"
+#include "odeum/formula/problem.hpp"
 #include "odeum/report/facts.hpp"
 #include "odeum/solvers/case.hpp"
 
@@ -77,6 +79,12 @@ Case case_of(const std::string& what, const ProblemOptions& options, const SpanC
 std::string struct_of(const std::string& what, const ProblemOptions& options, const Case& c,
                       const SolverInfo& solver);
 
+/// The values that words after --set give, by name. Throws UsageError for what is no NAME=VALUE,
+/// and for a name that is given twice.
+formula::Overrides overrides_of(const std::vector<std::string>& sets);
+/// Leaves the statement of the case that `chosen` names, or the only one. Throws UsageError.
+void keep_chosen(const std::string& path, const std::string& chosen,
+                 std::vector<Statement>& statements);
 /// The words that say `sets`, the chosen case and the plug-ins of `command`, each after a space.
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command);
 
