@@ -123,6 +123,21 @@ void try_equal_steps(Inquiry& q, double length) {
                   fmt::format("{} and {}", one.solver, other.solver)};
 }
 
+/// Steps that end there see a smooth right-hand side on either side.
+void try_stops_at_kinks(Inquiry& q) {
+  Request request = q.run.request;
+  const double end = request.stops.back();
+  request.stops.clear();
+  for (const Kink& kink : q.kinks)
+    if (kink.t > q.c.t0 && kink.t < end) request.stops.push_back(kink.t);
+  request.stops.push_back(end);
+  const Outcome parts = q.make(q.c, q.why.solver, request, 0, 0.3).outcome;
+  if (parts.status == Status::ok &&
+      parts.counters.rhs_evaluations < q.why.outcome.counters.rhs_evaluations)
+    q.why.advice = fmt::format("with steps that end at the kinks the run takes {} evaluations",
+                               parts.counters.rhs_evaluations);
+}
+
 }  // namespace
 
 double wanted(const Inquiry& q) {
@@ -175,19 +190,7 @@ void try_settings(Inquiry& q) {
       q.also(q.why.solver, request, 0.2);
     }
   }
-  if (worth(Cause::kink)) {
-    // Steps that end there see a smooth right-hand side on either side.
-    request = q.run.request;
-    request.stops.clear();
-    for (const Kink& kink : q.kinks)
-      if (kink.t > t0 && kink.t < end) request.stops.push_back(kink.t);
-    request.stops.push_back(end);
-    const Outcome parts = q.make(q.c, q.why.solver, request, 0, 0.3).outcome;
-    if (parts.status == Status::ok &&
-        parts.counters.rhs_evaluations < q.why.outcome.counters.rhs_evaluations)
-      q.why.advice = fmt::format("with steps that end at the kinks the run takes {} evaluations",
-                                 parts.counters.rhs_evaluations);
-  }
+  if (worth(Cause::kink)) try_stops_at_kinks(q);
   const bool far = q.run.ok() && !(q.difference(q.run) <= far_off);
   if ((far || q.amplification > 1) && !q.found(Cause::sliding) && q.left() > 0.1 * q.seconds) {
     const auto near = [&](const Run& other) { return q.difference(other) <= far_off; };
