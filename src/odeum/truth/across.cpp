@@ -80,6 +80,25 @@ System later(System s, Real origin) {
   return s;
 }
 
+/// The run of a part up to the next change, whose work, sizes and doubts are added to the whole.
+Run run_of_part(Method method, System& mode, const std::vector<Real>& until, Effort effort,
+                Real span, Run& whole) {
+  constexpr double work_of_change = 1e4;
+  mode.peaks = std::move(whole.peaks);
+  // Equations with more operations than a series is made for.
+  const Method used = method == taylor_run && !mode.taylor ? extrapolation_run : method;
+  effort.budget -= whole.work;
+  effort.inspect = true;
+  effort.span = span;
+  Run part = used(mode, until, effort);
+  whole.work += part.work + work_of_change;
+  whole.peaks = std::move(part.peaks);
+  whole.reached = std::max(whole.reached, part.reached);
+  if (whole.unsure.empty()) whole.sure = whole.states.size() + part.sure;
+  add(part.unsure, whole.unsure);
+  return part;
+}
+
 }  // namespace
 
 System from_zero(const System& system) {
@@ -90,7 +109,6 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
                const Effort& effort, bool moved) {
   if (!system.mode_at) return method(system, times, effort);
   constexpr int most_at_once = 8;  // changes at one time
-  constexpr double work_of_change = 1e4;
   Run whole;
   whole.split = true;
   Real t = system.t0;
@@ -112,27 +130,15 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
       add_rounding(*before, *mode, t, y, whole.unsure);
     }
     before = nullptr;
-    mode->peaks = std::move(whole.peaks);
     mode->t0 = t;
     mode->y0 = y;
     mode->along = system.along;
-    // Equations with more operations than a series is made for.
-    const Method used = method == taylor_run && !mode->taylor ? extrapolation_run : method;
     const auto next = std::ranges::upper_bound(system.switches, t);
     const bool to_switch = next != system.switches.end() && *next < left.back();
     const auto last = to_switch ? std::ranges::lower_bound(left, *next) : left.end();
     std::vector<Real> until(left.begin(), last);
     if (to_switch) until.push_back(*next);
-    Effort of_part = effort;
-    of_part.budget -= whole.work;
-    of_part.inspect = true;
-    of_part.span = span;
-    Run part = used(*mode, until, of_part);
-    whole.work += part.work + work_of_change;
-    whole.peaks = std::move(part.peaks);
-    whole.reached = std::max(whole.reached, part.reached);
-    if (whole.unsure.empty()) whole.sure = whole.states.size() + part.sure;
-    add(part.unsure, whole.unsure);
+    Run part = run_of_part(method, *mode, until, effort, span, whole);
     const bool arrived = part.states.size() == until.size();
     if (to_switch && arrived) {
       t = *next;

@@ -109,6 +109,25 @@ inline Real size_soon(const System& system, Real h, State y, State f) {
   return std::min(h * (std::isfinite(later) ? std::max(size, later) : size), 1.0L);
 }
 
+/// As measured: of allocations, and of the inspector's intervals.
+inline double overhead_of_step(const System& system, std::size_t states, bool is_inspected) {
+  return 200 + 20 * static_cast<double>(states) + (is_inspected ? 400 + 40 * system.work : 0);
+}
+
+/// That the seconds or the work of a run are spent; empty while they are not.
+inline std::string words_of_limit(const Effort& effort, double work, Real t) {
+  const bool late = is_past(effort.until);
+  if (!late && work <= effort.budget) return {};
+  return fmt::format("the {} spent at t = {:.6Lg}", late ? "seconds are" : "work is", t);
+}
+
+inline std::string words_of_vanishing(bool ends, Real t) {
+  return fmt::format("the steps vanish at t = {:.9Lg}: {}", t,
+                     ends ? "the solution or the equations end there"
+                          : "the equations end there, or have something that is shorter than "
+                            "steps can be");
+}
+
 /// Steps through the times with `step(t, h, y, sizes) -> Trial`, whose error is of order `order` in
 /// h and relative to the tolerance.
 template <class Step>
@@ -130,26 +149,16 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
               .insight = effort.inspect && system.insight ? system.insight(span) : nullptr};
   Ending ending;
   Disturbance disturbance;
-  // Of a step, as measured: of allocations, and of the inspector's intervals.
-  const double overhead =
-      200 + 20 * static_cast<double>(y.size()) + (watch.insight ? 400 + 40 * system.work : 0);
+  const double overhead = overhead_of_step(system, y.size(), watch.insight != nullptr);
   for (const Real time : times) {
     while (t < time) {
       if (interrupted) throw Interrupted();
-      const bool late = is_past(effort.until);
-      if (late || run.work > effort.budget) {
-        run.end = fmt::format("the {} spent at t = {:.6Lg}", late ? "seconds are" : "work is",
-                              system.origin + t);
+      if (run.end = words_of_limit(effort, run.work, system.origin + t); !run.end.empty())
         return run;
-      }
       const Real unit = std::numeric_limits<Real>::epsilon() * std::abs(t);
       if (!(h > 4 * unit) || !(h > 1e-300L)) {
         if (ending.is_of_solution(system, t, y, unit)) run.ends_at = t;
-        run.end = fmt::format("the steps vanish at t = {:.9Lg}: {}", system.origin + t,
-                              std::isfinite(run.ends_at)
-                                  ? "the solution or the equations end there"
-                                  : "the equations end there, or have something that is shorter "
-                                    "than steps can be");
+        run.end = words_of_vanishing(std::isfinite(run.ends_at), system.origin + t);
         return run;
       }
       const bool last = t + h * (1 + 1e-6L) >= time;
