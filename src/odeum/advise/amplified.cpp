@@ -73,6 +73,8 @@ void look_at_amplification(Inquiry& q) {
   const std::size_t n = q.c.y0.size();
   const double off = q.difference(q.run);
   if (n > most_unknowns || off <= 10 * wanted(q) || q.found(Cause::sliding)) return;
+  // Differences of runs across a jump are those of its crossings.
+  if (std::ranges::any_of(q.kinks, &Kink::jump)) return;
   // The cheapest of the runs that came to the end.
   const Run* cheapest = nullptr;
   for (const Run& other : q.others)
