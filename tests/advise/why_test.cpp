@@ -64,14 +64,19 @@ double off(const std::vector<double>& state, const std::vector<double>& right) {
 }
 
 // A run to the end that is said to be better is nearer to what was computed apart, or as near for
-// less work; of the saddle there is none.
+// less work; where nothing is known, none or a shorter one is named.
 TEST(Why, TheRunThatItNamesIsBetter) {
+  int named = 0;
   for (const MadeFailure& made : tests::made_failures()) {
     if (made.end.empty()) continue;
     const Case c = tests::made_case(made);
     if (!c.entrants.find(made.solver)) continue;
     const advise::Why why = tests::why_of(made, c, tests::made_request(made, c), seconds);
-    ASSERT_TRUE(why.better) << made.name << text_of(why, c, {made.name, ""});
+    if (!why.better) {
+      EXPECT_TRUE(why.known_by.empty()) << made.name << text_of(why, c, {made.name, ""});
+      continue;
+    }
+    ++named;
     const advise::Other& other = why.others[*why.better];
     if (other.request.stops.back() < c.stops.back()) {
       EXPECT_TRUE(why.known_by.empty()) << made.name << " is known, and a shorter run is named";
@@ -90,6 +95,7 @@ TEST(Why, TheRunThatItNamesIsBetter) {
         << made.name << ": " << error << " in place of " << own << "\n"
         << text_of(why, c, {made.name, ""});
   }
+  EXPECT_GE(named, 5);
 }
 
 /// What it says as a user runs it, and what its command gives.
