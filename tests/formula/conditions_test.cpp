@@ -105,8 +105,9 @@ TEST(Conditions, AreDecidedForIntervals) {
     const formula::Interval& v = all[enclosure.place(k + 2)][0];
     EXPECT_TRUE(v.low <= values[k].value && values[k].value <= v.high) << values[k].expression;
     const std::string text = values[k].expression;
-    if (text.starts_with("if") && text.find("0.5") == std::string::npos)  // 1 or 2, rounded
+    if (text.starts_with("if") && text.find("0.5") == std::string::npos) {  // 1 or 2, rounded
       EXPECT_LT(v.width(), 1e-14) << text;
+    }
   }
 }
 
