@@ -357,7 +357,7 @@ const std::vector<MadeFailure>& made_failures() {
        .solver = "odeum/dormand_prince54",
        .absolute = {1e-6},
        .causes = {absolute},
-       .also = {accuracy, stability},
+       .also = {accuracy, stability, astray},
        .end = {7.04352304186e-07, 5.40727550543e-09, 2.90240420309e-07}},
       {.name = "cubic_damper_in_three_steps",
        .text = "states: {v: 100}\nequations: {v: -v^3}\ntime: {end: 2}\n",

@@ -34,7 +34,12 @@ class Kept : public testing::Test {
   }
   /// The program with these bytes after its own, which change nothing that it does.
   fs::path copy_with(const std::string& more) const {
-    const fs::path copy = folder_.path() / ("odeum" + more);
+    // The program looks for libraries beside its folder, and results are kept by these, too.
+    const fs::path copy = folder_.path() / "bin" / ("odeum" + more);
+    fs::create_directories(copy.parent_path());
+    std::error_code there;
+    fs::create_directory_symlink(fs::path(ODEUM_BINARY).parent_path().parent_path() / "lib",
+                                 folder_.path() / "lib", there);
     write_text(copy, text_of(ODEUM_BINARY) + more);
     fs::permissions(copy, fs::perms::owner_all);
     return copy;

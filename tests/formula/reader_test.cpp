@@ -125,7 +125,7 @@ TEST(ProblemReader, Expressions) {
   expect_fault(with_equation("sin(x, 2)"), "3:6: ", "number of arguments of sin");
   expect_fault(with_equation("atan2(x)"), "3:6: ", "got 1, expected 2");
   expect_fault(with_equation("sni(x)"), "3:6: ", "did you mean sin?");
-  expect_fault(with_equation("ln(x)"), "3:6: ", "did you mean log?");
+  expect_fault(with_equation("ln(x)"), "3:6: ", "got ln, expected log");
   expect_fault(with_equation("sin + x"), "3:6: ", "sin(...)");
   expect_fault(with_equation("1.2.3*x"), "3:9: ", "two decimal points");
   expect_fault(with_equation("x $ 2"), "3:8: ", "not understood");

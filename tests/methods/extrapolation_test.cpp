@@ -209,10 +209,12 @@ TEST(Taylor, FollowsTheTolerance) {
 }
 
 TEST(Taylor, TakesTheOrderThatTheToleranceAsksFor) {
-  // ceil(1 - ln(tol) / 2) coefficients a step, each counted as an evaluation.
+  // ceil(1 - ln(tol) / 2) coefficients a step, each counted as an evaluation, and one evaluation
+  // more where a component changes its sign.
   for (const auto& [tolerance, order] : {std::pair{1e-6, 8U}, {1e-12, 15U}}) {
     const Outcome o = integrate<taylor, KeplerSeries>(tolerance, {10});
-    EXPECT_EQ(o.counters.rhs_evaluations, order * o.counters.steps);
+    EXPECT_GE(o.counters.rhs_evaluations, order * o.counters.steps);
+    EXPECT_LE(o.counters.rhs_evaluations, (order + 1) * o.counters.steps);
   }
 }
 

@@ -102,10 +102,10 @@ std::string run_limited(const std::vector<std::string>& command, const std::file
   }
   ::kill(-watcher, SIGKILL);  // what the program left behind
   if (WIFSIGNALED(status))
-    return fmt::format("did not end within {} s and was ended with all that it had started",
+    return fmt::format("did not end within {:.3g} s and was ended with all that it had started",
                        wall_seconds * seconds);
   if (WEXITSTATUS(status) == out_of_time)
-    return fmt::format("took more than {} s of the processor and was ended", seconds);
+    return fmt::format("took more than {:.3g} s of the processor and was ended", seconds);
   return WEXITSTATUS(status) == 0 ? "" : "failed";
 }
 
