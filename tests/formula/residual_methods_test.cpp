@@ -136,12 +136,12 @@ TEST(ResidualMethods, RosenbrockRefusesFactorsThatChange) {
 }
 
 // Stops between the ends of the steps change no step, and have errors of the same size: some
-// tolerances.
+// tolerances, by Radau's methods below a tenth of it. The request has one absolute tolerance.
 TEST(ResidualMethods, StepOverOutputs) {
   const Case c = case_of("akzo_nobel");
   for (const char* solver : adaptive) {
     SCOPED_TRACE(solver);
-    constexpr double room = 3e-6;
+    const double room = std::string(solver).find("radau") == std::string::npos ? 3e-6 : 1e-7;
     const Entrant& entrant = tests::find_entrant(c, solver);
     Request request = tests::adaptive_request(1e-6, {c.stops.back()});
     request.record_steps = true;
@@ -157,7 +157,7 @@ TEST(ResidualMethods, StepOverOutputs) {
     for (std::size_t k = 0; k < 40; ++k) {
       if (!c.truth.at(request.stops[k], exact.data())) continue;
       for (std::size_t i = 0; i < exact.size(); ++i)
-        EXPECT_NEAR(outcome.states[k * exact.size() + i], exact[i], room * c.scale_of(i)) << k;
+        EXPECT_NEAR(outcome.states[k * exact.size() + i], exact[i], room) << k;
     }
   }
 }

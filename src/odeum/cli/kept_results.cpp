@@ -46,10 +46,11 @@ std::string mark_of_machine() {
   std::string mark = cpu_model();
   for (const std::string& path : loaded_libraries()) {
     std::error_code none;
-    const auto size = std::filesystem::file_size(path, none);
+    const std::filesystem::path file = std::filesystem::canonical(path, none);
+    const auto size = none ? 0 : std::filesystem::file_size(file, none);
     if (none) continue;  // what the kernel adds
-    const auto time = std::filesystem::last_write_time(path, none).time_since_epoch().count();
-    mark += fmt::format(" {} {} {}", path, size, time);
+    const auto time = std::filesystem::last_write_time(file, none).time_since_epoch().count();
+    mark += fmt::format(" {} {} {}", file.string(), size, time);
   }
   return mark;
 }
