@@ -26,7 +26,7 @@ TEST(FailingStart, IsExplained) {
   cases::set_problem(c, NowhereElse{});
   Request request;
   request.mode = Mode::adaptive;
-  request.tolerance = Tolerance(1e-6, {1e-6});
+  request.tolerance = Tolerance(1e-6, std::vector<double>{1e-6});
   request.stops = {1};
   for (const char* solver : {"odeum/rodas4", "odeum/dormand_prince54", "odeum/radau_iia5"}) {
     advise::Why why;

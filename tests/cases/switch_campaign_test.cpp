@@ -70,7 +70,7 @@ TEST_P(SwitchCampaign, EndsNearOrSaysNo) {
     for (const double tolerance : {1e-5, 1e-7}) {
       Request request;
       request.mode = Mode::adaptive;
-      request.tolerance = Tolerance(tolerance, {tolerance});
+      request.tolerance = Tolerance(tolerance, std::vector<double>{tolerance});
       request.stops = {problem.stops.back()};
       request.budget.evaluations = 500'000;
       // Measured: the pair of order 8 ends 14 off, five times as much as is allowed.

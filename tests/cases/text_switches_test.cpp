@@ -34,7 +34,7 @@ struct TextContest {
 Request to_a_tolerance(double tolerance, std::vector<double> stops) {
   Request request;
   request.mode = Mode::adaptive;
-  request.tolerance = Tolerance(tolerance, {tolerance});
+  request.tolerance = Tolerance(tolerance, std::vector<double>{tolerance});
   request.stops = std::move(stops);
   return request;
 }

@@ -43,7 +43,7 @@ double error_of(const std::string& method, double tolerance, const P& problem,
                 double amplification) {
   Request request;
   request.mode = Mode::adaptive;
-  request.tolerance = Tolerance(tolerance, {tolerance});
+  request.tolerance = Tolerance(tolerance, std::vector<double>{tolerance});
   request.stops = {10};
   const Outcome outcome = run_own(method, contest_on(problem, 0, start), request);
   EXPECT_EQ(outcome.status, Status::ok) << method << ": " << outcome.detail;
