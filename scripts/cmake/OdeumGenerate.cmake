@@ -70,7 +70,7 @@ void add_NAME(std::vector<proof::MethodFacts>& all) { all.push_back(proof::facts
 endfunction()
 
 # The lists of cases (every C++ file in cases/, its stem the function that states them; every text there, whose
-# problem is printed as C++, see odeum_print_cases) and of studies (every folder in src/odeum/studies that has a study.cpp). The files are left in
+# problem is printed as C++, see odeum_print_cases) and of studies (every folder in src/odeum/studies that has a study.cpp) and of kinds of problems. The files are left in
 # ODEUM_CASE_FILES, the texts in ODEUM_CASE_TEXTS.
 function(odeum_generate_lists)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.cpp)
@@ -89,6 +89,9 @@ function(odeum_generate_lists)
   file(GLOB studies CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/studies/*/study.cpp)
   list(TRANSFORM studies REPLACE "^.*/([^/]+)/study.cpp$" "\\1")
   odeum_write_list(studies ${studies})
+  file(GLOB kinds CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/cases/kinds/*/kind.cpp)
+  list(TRANSFORM kinds REPLACE "^.*/([^/]+)/kind.cpp$" "\\1")
+  odeum_write_list(kinds ${kinds})
 endfunction()
 
 # lists/<list>.inc: a pair {"stem", text} for each file of some patterns, so that the program needs no file beside it.

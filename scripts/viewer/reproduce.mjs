@@ -53,12 +53,12 @@ const check = (command, row, names) => {
   return apart.length ? complain(`${command}: ${apart.join('; ')}`) : null;
 };
 
-const counts = { evaluations: 'rhs_evaluations', jacobians: 'jacobian_evaluations' };
+const counts = { rhs_evaluations: 'rhs_evaluations', jacobian_evaluations: 'jacobian_evaluations' };
 const fastest = rowsOf('fastest.csv').map(runOf);
 if (fastest.includes(undefined)) complain('a row of fastest.csv is none of precision.csv');
 const runs = fastest.filter(Boolean);
 const commands = await commandsOf('precision', runs.map(only(['case', 'library', 'solver', 'setting_kind', 'setting', 'options'])));
-runs.forEach((row, i) => check(commands[i], row, { error_max: 'error', steps: 'steps', rejected: 'rejected_steps', ...counts }));
+runs.forEach((row, i) => check(commands[i], row, { error_max: 'error', steps: 'steps', rejected_steps: 'rejected_steps', ...counts }));
 const quick = checked.size;
 // What the first screen prints is among them.
 const facts = JSON.parse(readFileSync(join(folder, 'page.json'), 'utf8'));

@@ -141,9 +141,8 @@ TEST(ProposedScale, KnowsRoundingFromATraceSpecies) {
 }
 
 TEST(ProposedScale, IsKnownBeforeTheTruth) {
-  const auto c = cases::case_before_truth({"enzyme.yaml", enzyme, "enzyme", {}});
-  ASSERT_TRUE(c);
-  EXPECT_EQ(c->units.scale, (Scale{1e-3, 1e-6, 5e-7, 5e-6}));
+  const Case c = case_before_truth(cases::text_statements("enzyme.yaml", enzyme, "enzyme").front());
+  EXPECT_EQ(c.units.scale, (Scale{1e-3, 1e-6, 5e-7, 5e-6}));
 }
 
 }  // namespace

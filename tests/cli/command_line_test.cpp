@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"odeum run lotka_volterra --step 0.1", "--solver is required"},
         Misuse{"odeum run hanging_clot", "did you mean hanging_cloth?"},
         Misuse{"odeum run /nonexistent.yaml",
-               "odeum: /nonexistent.yaml:1:1: scene: cannot be read; got No such file or"},
+               "odeum: /nonexistent.yaml:1:1: problem: cannot be read; got No such file"},
         Misuse{"odeum run jelly_cube --solver leapfrog --step 0.01", "does not fit this scene"},
         Misuse{"odeum run chain --until 1 --step 2", "at most the horizon 1"},
         Misuse{"odeum run lotka_volterra --solver rk4 --step 0",

@@ -52,7 +52,7 @@ TEST(Words, RunsAndStudiesPrintTheirRowsAsJson) {
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_EQ(runs[1]["solver"], "heun");
   EXPECT_EQ(runs[0]["steps"], 100);
-  EXPECT_EQ(runs[0]["evaluations"], 400);
+  EXPECT_EQ(runs[0]["rhs_evaluations"], 400);
   EXPECT_TRUE(runs[0]["tolerance"].is_null());
   const std::string text =
       shell("odeum run lotka_volterra --solver rk4 --step 0.1 | grep error").output;

@@ -244,9 +244,13 @@ const RateLaw rate_laws[] = {
     {"states: {x: 0, y: 1}\nequations: {x: 1 - x*sqrt(x), y: x^y - y}\ntime: {end: 3}\n",
      {0.98452189, 0.91922318}}};
 
+Case before_truth(const std::string& text) {
+  return case_before_truth(cases::text_statements("f", text, "finite_derivatives").front());
+}
+
 TEST(SteepProblems, AreRunByEveryImplicitMethod) {
   for (const RateLaw& each : rate_laws) {
-    const Case c = cases::case_before_truth({"f", each.text, "finite_derivatives", {}}).value();
+    const Case c = before_truth(each.text);
     for (const std::string id : solvers) {
       SCOPED_TRACE("odeum/" + id + " on " + c.equation);
       const Entrant& entrant = tests::find_entrant(c, "odeum/" + id);
@@ -262,8 +266,7 @@ TEST(SteepProblems, AreRunByEveryImplicitMethod) {
 }
 
 TEST(SteepProblems, AreRunByTaylorsMethodAtAFixedStep) {
-  const Case c =
-      cases::case_before_truth({"f", rate_laws[0].text, "finite_derivatives", {}}).value();
+  const Case c = before_truth(rate_laws[0].text);
   const Outcome outcome =
       tests::find_entrant(c, "odeum/taylor").solve(tests::fixed_request(400, {c.end()}));
   ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;

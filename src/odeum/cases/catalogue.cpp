@@ -106,7 +106,7 @@ const Case& made(Known& known) {
 
 }  // namespace
 
-Case case_of(const Statement& statement) {
+Case case_before_truth(const Statement& statement) {
   const auto named = [id = statement.id, title = statement.title, tags = statement.tags](Case c) {
     c.id = id;
     c.title = title;
@@ -118,6 +118,12 @@ Case case_of(const Statement& statement) {
     c.with_values = [named, with = std::move(c.with_values)](const std::vector<double>& values) {
       return named(with(values));
     };
+  return c;
+}
+
+Case case_of(const Statement& statement) {
+  Case c = case_before_truth(statement);
+  complete(c);
   return c;
 }
 

@@ -14,11 +14,14 @@ struct Statement {
   std::string title;
   /// Those that its author gives; a text has those besides that follow from its equations.
   std::vector<std::string> tags;
-  /// The rest of the case. Throws InputError for a text that is wrong.
+  /// The rest of the case, before its truth where that has to be computed. Throws InputError for a
+  /// text that is wrong.
   std::function<Case()> make;
 };
 
-/// The case of that statement, with its id, title and tags.
+/// The case of that statement, with its id, title and tags, before its truth is computed.
+Case case_before_truth(const Statement& statement);
+/// The same with its truth.
 Case case_of(const Statement& statement);
 
 /// The ids of every case: the project's in the order of the files in cases/, those of plug-ins, and

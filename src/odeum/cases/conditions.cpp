@@ -30,4 +30,8 @@ Conditions conditions_of(const formula::Problem& problem) {
           [values](double t, const double* y, double* out) { (*values)(t, y, out); }};
 }
 
+Conditions conditions_of(const Case& c) {
+  return c.text ? conditions_of(CaseText(*c.text).problem()) : Conditions();
+}
+
 }  // namespace odeum::cases

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "odeum/formula/problem.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::cases {
 
@@ -15,5 +16,7 @@ struct Conditions {
 
 /// Those of `if`, abs, sign, min and max in the equations of a text.
 Conditions conditions_of(const formula::Problem& problem);
+/// Those of the text that states the case; none where it is not a text.
+Conditions conditions_of(const Case& c);
 
 }  // namespace odeum::cases

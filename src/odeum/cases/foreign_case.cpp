@@ -79,6 +79,17 @@ void usual_steps(Case& c) {
   c.settings.finest_steps = std::max<std::uint64_t>(16384, 64 * c.settings.steps_multiple);
 }
 
+void compute_truth(Case& c, const std::shared_ptr<const Held>& held) {
+  std::string words;
+  if (set_truth(c, held, words))
+    choose_steps(c, false, true);
+  else
+    usual_steps(c);
+  if (c.has_tag("stiff"))
+    c.facts.emplace_back("found", "stiff: explicit methods need many more steps");
+  c.facts.emplace_back("truth", words);
+}
+
 Case foreign_case(const std::shared_ptr<const Held>& held) {
   const foreign::ProblemCallbacks& given = held->given;
   const odeum_problem& p = given.functions;
@@ -93,17 +104,10 @@ Case foreign_case(const std::shared_ptr<const Held>& held) {
   if (p.energy) c.energy = [held](const double* y) { return held->problem.energy(y); };
   c.problem = {view_of(held->problem), held, c.t0,
                std::make_shared<const std::vector<double>>(c.y0), nullptr};
-  std::string words;
-  const bool computed = set_truth(c, held, words);
   c.entrants = enroll_isolated(c.problem);
-  if (computed)
-    choose_steps(c, false, true);
-  else
-    usual_steps(c);
   c.facts = given.facts;
-  if (c.has_tag("stiff"))
-    c.facts.emplace_back("found", "stiff: explicit methods need many more steps");
-  c.facts.emplace_back("truth", words);
+  c.truth = unknown_truth("not computed");
+  c.compute_truth = [held](Case& later) { compute_truth(later, held); };
   return c;
 }
 

@@ -47,10 +47,10 @@ void require_not_negative(const std::string& name, double value) {
         fmt::format("{}: got {}, expected a number that is not negative", name, value));
 }
 
-Truth unknown_truth() {
+Truth unknown_truth(std::string why) {
   Truth truth;
   truth.at = [](double, double*) { return false; };
-  truth.source = "none known for these parameters";
+  truth.source = std::move(why);
   return truth;
 }
 

@@ -25,6 +25,6 @@ void require_positive(const std::string& name, double value);
 void require_not_negative(const std::string& name, double value);
 
 /// For parameters for which there is neither a closed form nor a table.
-Truth unknown_truth();
+Truth unknown_truth(std::string why = "none known for these parameters");
 
 }  // namespace odeum::cases

@@ -86,8 +86,24 @@ std::uint64_t budget_of(const scene::SceneProblem& problem, std::uint64_t usual)
   return std::min(usual, static_cast<std::uint64_t>(std::max(evaluations, 2000.0)));
 }
 
+/// The truth of the case, and steps of studies to match.
+void compute_truth(Case& c, const std::shared_ptr<const scene::SceneProblem>& problem,
+                   const std::string& text, const std::string& file) {
+  const TextTruth known = scene_truth(problem, c.stops, text, file);
+  c.truth = known.truth;
+  c.facts.emplace_back("truth", known.words);
+  if (known.stops.empty()) c.settings.no_convergence = "no truth is known: " + known.words;
+  cut_stops(c, known.stops);
+  // A trial step of an implicit method factors a large matrix: only where explicit ones have
+  // failed.
+  constexpr std::size_t small = 64;
+  choose_steps(c, problem->structure().order_kept > scene::order_at_kinks, !known.stops.empty(),
+               problem->size() <= small ? many_trial_steps : most_trial_steps);
+  c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
+}
+
 Case make_scene(const std::string& file, const std::string& text, const scene::Scene& scene,
-                const Span& span, bool with_truth) {
+                const Span& span) {
   const auto problem =
       whole_problem(scene, std::isnan(span.until) ? *scene.duration : span.until, file);
   const scene::Structure& structure = problem->structure();
@@ -113,24 +129,12 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   c.problem = erase(contest_of(problem));
   c.entrants = enroll_scene(problem);
   c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
-  if (!with_truth) {
-    c.truth = unknown_truth();
-    return c;
-  }
-  const TextTruth known = scene_truth(problem, c.stops, text, file);
-  c.truth = known.truth;
-  c.facts.emplace_back("truth", known.words);
-  if (known.stops.empty()) c.settings.no_convergence = "no truth is known: " + known.words;
-  cut_stops(c, known.stops);
-  // A trial step of an implicit method factors a large matrix: only where explicit ones have
-  // failed.
-  constexpr std::size_t small = 64;
-  choose_steps(c, structure.order_kept > scene::order_at_kinks, !known.stops.empty(),
-               problem->size() <= small ? many_trial_steps : most_trial_steps);
-  c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
+  c.truth = unknown_truth("not computed");
+  c.compute_truth = [problem, text, file](Case& later) {
+    compute_truth(later, problem, text, file);
+  };
   return c;
 }
-
 }  // namespace
 
 std::shared_ptr<const scene::SceneProblem> whole_problem(const scene::Scene& scene, double until,
@@ -198,13 +202,14 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
 }
 
 Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene,
-                          const Span& span, bool with_truth) {
+                          const Span& span) {
   std::string title = scene.name.empty() ? id : scene.name;
   return {.id = std::move(id),
           .title = std::move(title),
           .tags = {},
-          .make = [file = std::move(file), text = std::move(text), scene = std::move(scene), span,
-                   with_truth] { return make_scene(file, text, scene, span, with_truth); }};
+          .make = [file = std::move(file), text = std::move(text), scene = std::move(scene), span] {
+            return make_scene(file, text, scene, span);
+          }};
 }
 
 Entrants enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem) {

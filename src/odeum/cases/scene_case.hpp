@@ -35,9 +35,8 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
 /// A scene as a case, with its duration as the horizon and errors at four times of it, where `span`
 /// does not say otherwise; in metres, the positions of free particles measured. `text` is that of
 /// its file, by which its truth is kept. Making the case throws InputError, see whole_problem.
-/// `with_truth`: false leaves it unknown.
 Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene,
-                          const Span& span = {}, bool with_truth = true);
+                          const Span& span = {});
 
 /// The largest extent of the free and fixed particles' positions in a state, in m.
 double extent_of(const double* y, std::size_t particles);

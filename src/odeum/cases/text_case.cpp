@@ -16,9 +16,9 @@
 #include "odeum/cases/text_family.hpp"
 #include "odeum/cases/text_switches.hpp"
 #include "odeum/cases/text_truth.hpp"
+#include "odeum/formula/cache.hpp"
 
 namespace odeum::cases {
-
 namespace {
 
 using formula::TextOde;
@@ -27,15 +27,15 @@ using formula::TextOde;
 struct File {
   const PrintedText* printed = nullptr;  ///< null: no built-in text has its equations
   std::string folder = {};               ///< of its references; empty: they are built in
-  bool computes_truth = true;            ///< false: it stays unknown where it has to be computed
 };
 
-class TextCase : CaseText {
+class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
  public:
   TextCase(const File& file, const TextSource& source) : CaseText(source), file_(file) {}
 
   Case make() {
     require_signs();
+    case_.text = std::make_shared<const TextSource>(source_);
     case_.t0 = static_cast<double>(problem_.t0);
     case_.y0.assign(problem_.y0.begin(), problem_.y0.end());
     case_.source = text("source", problem_.file);
@@ -46,18 +46,27 @@ class TextCase : CaseText {
     case_.units.scale = problem_.scale;
     set_problem();
     set_truth();
-    if (!file_.folder.empty() && file_.computes_truth)
-      prove(ode_ ? ode_->problem() : problem_, *analysis_, case_, truth_);
     select_invariants();
-    choose_settings();
-    case_.facts =
-        text_facts(problem_, *analysis_, file_.printed ? nullptr : ode_.get(), truth_, case_);
-    if (problem_.scale.empty() && !case_.units.scale.empty())
-      case_.facts.push_back(units_fact(case_.units, problem_.states));
+    set_facts(case_);
+    case_.compute_truth = [self = shared_from_this()](Case& c) { self->complete(c); };
     return std::move(case_);
   }
 
  private:
+  void complete(Case& c) {
+    if (waits_for_truth_) compute_truth(c);
+    if (!truth_.words.empty()) hold_invariants(c);
+    if (!file_.folder.empty()) prove(ode_ ? ode_->problem() : problem_, *analysis_, c, truth_);
+    choose_settings(c);
+    set_facts(c);
+  }
+
+  void set_facts(Case& c) const {
+    c.facts = text_facts(problem_, *analysis_, file_.printed ? nullptr : ode_.get(), truth_, c);
+    if (problem_.scale.empty() && !c.units.scale.empty())
+      c.facts.push_back(units_fact(c.units, problem_.states));
+  }
+
   void add_parameters() {
     const std::vector<Item> meanings = mapping("meanings");
     for (const std::string& name : offered_) {
@@ -77,7 +86,9 @@ class TextCase : CaseText {
       for (std::size_t k = 0; k < now.size(); ++k)
         if (values[k] != now[k].value)
           other.set[now[k].name] = fmt::format("{:.21g}", static_cast<long double>(values[k]));
-      return TextCase(file, other).make();
+      Case c = std::make_shared<TextCase>(file, other)->make();
+      odeum::complete(c);
+      return c;
     };
   }
 
@@ -126,10 +137,9 @@ class TextCase : CaseText {
                        nullptr,
                        formula::implicit_form(problem_)};
       add_invariants(problem_, case_);
-      case_.entrants = enroll(case_.problem);
     }
     case_.problem.switches = switches_of(problem_);
-    if (case_.problem.switches) case_.entrants = enroll(case_.problem);
+    if (!file_.printed || case_.problem.switches) case_.entrants = enroll(case_.problem);
     const formula::Structure& s = analysis_->structure;
     case_.tags = {s.linear ? "linear" : "nonlinear",
                   s.autonomous ? "autonomous" : "non_autonomous"};
@@ -145,8 +155,9 @@ class TextCase : CaseText {
     analysis_ = {ode_, &ode_->analysis()};
   }
 
-  /// A reference holds for the usual parameters; else the closed form, or a computed reference. One
-  /// in place of a reference that no longer holds is computed where a run asks for it.
+  /// A reference holds for the usual parameters; else the closed form, or a reference that
+  /// complete() computes. One in place of a reference that no longer holds is computed where a run
+  /// asks for it.
   void set_truth() {
     const std::vector<std::string> files = texts("reference");
     double floor = 0;
@@ -171,21 +182,29 @@ class TextCase : CaseText {
       return;
     }
     if (problem_.exact.empty()) {
-      case_.truth = unknown_truth();
-      if (!files.empty()) return;
-      look_along();
-      if (!file_.computes_truth) return;
-      compute_truth();
+      waits_for_truth_ = files.empty();
+      case_.truth = waits_for_truth_ ? unknown_truth("not computed") : unknown_truth();
+      if (waits_for_truth_) look_along();
     } else {
       truth_ = closed_form(problem_);
-      case_.truth = truth_.truth;
+      take_truth(case_);
     }
-    if (floor > 0) case_.truth.floor = floor, case_.truth.floors.clear();
-    std::vector<long double> y(case_.y0.size());
+  }
+
+  void take_truth(Case& c) {
+    c.truth = truth_.truth;
+    double floor = 0;
+    take_number("floor", floor);
+    if (floor > 0) c.truth.floor = floor, c.truth.floors.clear();
+  }
+
+  /// The truth keeps what the text states as kept.
+  void hold_invariants(Case& c) {
+    std::vector<long double> y(c.y0.size());
     for (const double stop : truth_.stops)
       if (truth_.extended(stop, y.data())) formula::require_invariants(problem_, stop, y.data());
     if (!ode_) return;
-    case_.extended = std::make_shared<const ExtendedProblem>(
+    c.extended = std::make_shared<const ExtendedProblem>(
         ExtendedProblem{.f = [ode = ode_](long double t, const long double* at,
                                           long double* f) { ode->rhs_extended(t, at, f); },
                         .y0 = problem_.y0,
@@ -209,12 +228,10 @@ class TextCase : CaseText {
     if (along_ && problem_.scale.empty() && !stated) take_units(case_, proposed_units(*along_));
   }
 
-  void compute_truth() {
-    truth_ = truth_of(ode_, case_.units, along_);
-    case_.truth = truth_.truth;
-    std::vector<double> known = truth_.stops;
-    std::erase_if(known, [&](double stop) { return stop > case_.stops.back(); });
-    cut_stops(case_, known);
+  void compute_truth(Case& c) {
+    truth_ = truth_of(ode_, c.units, along_);
+    take_truth(c);
+    cut_stops(c, truth_.stops);
   }
 
   /// Leaves those that `invariants` names.
@@ -230,14 +247,15 @@ class TextCase : CaseText {
     });
   }
 
-  void choose_settings() {
+  void choose_settings(Case& c) {
     for (const char* key : {"no_fixed_steps", "steps_multiple", "coarsest_steps", "finest_steps",
                             "evaluation_budget"})
       if (has(key) && !source_.span.given()) return;
-    choose_steps(case_, analysis_->structure.smooth, !truth_.stops.empty());
+    choose_steps(c, analysis_->structure.smooth, !truth_.stops.empty());
   }
 
   File file_;
+  bool waits_for_truth_ = false;
   std::shared_ptr<const TextOde> ode_;
   std::shared_ptr<const formula::Analysis> analysis_;
   TextTruth truth_;
@@ -246,12 +264,8 @@ class TextCase : CaseText {
 };
 
 File user_file(const std::string& file, const std::string& text) {
-  const std::string folder = std::filesystem::absolute(file).parent_path().string();
-  const std::string code = formula::code_of_problem(file, text);
-  for (const BuiltInText& each : built_in_texts())
-    if (formula::code_of_problem(each.stem, each.text) == code)
-      return {printed_of(each.stem), folder};
-  return {nullptr, folder};
+  return {printed_with(formula::content_key(formula::code_of_problem(file, text))),
+          std::filesystem::absolute(file).parent_path().string()};
 }
 
 std::vector<Statement> statements_of(const File& file, TextSource source) {
@@ -262,10 +276,11 @@ std::vector<Statement> statements_of(const File& file, TextSource source) {
   for (const std::string& id : ids) {
     keys.enter(id);
     source.id = id;
-    all.push_back({.id = id,
-                   .title = keys.text("title", keys.name().empty() ? id : keys.name()),
-                   .tags = keys.tags(),
-                   .make = [file, source] { return TextCase(file, source).make(); }});
+    all.push_back(
+        {.id = id,
+         .title = keys.text("title", keys.name().empty() ? id : keys.name()),
+         .tags = keys.tags(),
+         .make = [file, source] { return std::make_shared<TextCase>(file, source)->make(); }});
   }
   return all;
 }
@@ -276,17 +291,6 @@ std::vector<Statement> text_statements(const std::string& file, const std::strin
                                        const std::string& id, const formula::Overrides& set,
                                        const Span& span) {
   return statements_of(user_file(file, text), {file, text, id, set, span});
-}
-
-std::optional<Case> case_before_truth(const TextSource& source) {
-  File user = user_file(source.file, source.text);
-  user.computes_truth = false;
-  const std::vector<Statement> all = statements_of(user, source);
-  const auto chosen = std::ranges::find(all, source.id, &Statement::id);
-  if (chosen == all.end()) return std::nullopt;
-  Case c = case_of(*chosen);
-  std::vector<double> y(c.y0.size());
-  return c.truth.at(c.stops.front(), y.data()) ? std::nullopt : std::optional(std::move(c));
 }
 
 std::vector<Statement> text_statements(const BuiltInText& text) {

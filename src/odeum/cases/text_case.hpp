@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,9 +37,5 @@ std::vector<Statement> text_statements(const BuiltInText& text);
 /// A case's truth in words, and whether it is proved (see proof_of() in text_truth.hpp), which a
 /// user's text says by itself. Of a built-in text it takes up to two seconds, the first time.
 std::string with_proof(const Case& c);
-
-/// The case before its truth is computed, without a proposed scale; none where the truth needs no
-/// computation, or where there is no such case. Throws as a Statement's make().
-std::optional<Case> case_before_truth(const TextSource& source);
 
 }  // namespace odeum::cases

@@ -140,10 +140,11 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
   return result;
 }
 
-void cut_stops(Case& c, const std::vector<double>& known) {
+void cut_stops(Case& c, std::vector<double> known) {
+  std::erase_if(known, [&](double stop) { return stop > c.stops.back(); });
   if (known.empty()) return;
   if (known.back() < c.stops.back()) c.asked_end = c.stops.back();
-  c.stops = known;
+  c.stops = std::move(known);
 }
 
 std::shared_ptr<const truth::Along> along_of(const std::shared_ptr<const TextOde>& ode) {

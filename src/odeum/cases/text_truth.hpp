@@ -27,7 +27,7 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
 
 /// Leaves those stops of a case at which its truth is known, if there are any; `asked_end` keeps
 /// where it was to end.
-void cut_stops(Case& c, const std::vector<double>& known);
+void cut_stops(Case& c, std::vector<double> known);
 
 /// The truth of a problem with a closed form; `extended` too.
 TextTruth closed_form(const formula::Problem& problem);

@@ -48,16 +48,6 @@ void read_times(AdviseOptions& options) {
   if (options.until) options.problems.span.until = *options.until;
 }
 
-Case given_case(const AdviseOptions& options) {
-  const cases::Span& span = options.problems.span;
-  try {
-    return case_of(options.what, options.problems,
-                   [&](double t0, double end) { cases::stops_of(span, t0, {end}); });
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
-}
-
 /// The cases of a box: its middle, then its corners, of more than three parameters eight of them in
 /// which each one and each pair take both ends equally often.
 struct Box {
@@ -140,7 +130,7 @@ bool may_stop(const AdviseOptions& options, const Case& c) {
          (c.timed_stops() == c.stops || study::convergence_stops(c) == c.stops);
 }
 
-int advise_on(AdviseOptions& options, const CLI::App& command) {
+int advise_on(Session& session, AdviseOptions& options, const CLI::App& command) {
   read_times(options);
   if (options.code && (options.format != "text" || !options.vary.empty()))
     throw UsageError("--code: a program is text, of one set of parameters: without {}",
@@ -161,7 +151,7 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   const truth::Accuracy accuracy(options.wishes.error > 0 ? options.wishes.error / 100 : 0);
   std::vector<Range> ranges;
   for (const std::string& text : options.vary) ranges.push_back(range_of(text));
-  const Case given = given_case(options);
+  const Case given = case_of(session, options.what, options.problems);
   Box box;
   if (ranges.empty())
     box.cases.push_back(given);
@@ -185,8 +175,7 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   if (options.code && advice.failure.empty()) {
     const Entrant& winner = *advice.candidates[advice.winner].entrant;
     const Request& winner_request = advice.candidates[advice.winner].found->request();
-    print(commented(text) + code_of(c, struct_of(options.what, options.problems, c, winner.info),
-                                    winner, winner_request));
+    print(commented(text) + code_of(c, struct_of(c, winner.info), winner, winner_request));
   } else {
     print(options.format == "json" ? advise::json_of(advice, c, asked).dump(2) + "\n" : text);
   }
@@ -196,7 +185,7 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_advise(CLI::App& app, int& result) {
+void add_advise(CLI::App& app, Session& session, int& result) {
   const auto options = std::make_shared<AdviseOptions>();
   CLI::App* command = app.add_subcommand(
       "advise",
@@ -240,7 +229,8 @@ void add_advise(CLI::App& app, int& result) {
   add_option(*command, "--out DIR", options->out,
              "folder for the files: race.csv, advice.json and a page with the diagram");
   add_problem_options(*command, options->problems, false);
-  command->callback([options, command, &result] { result = advise_on(*options, *command); });
+  command->callback(
+      [options, command, &session, &result] { result = advise_on(session, *options, *command); });
 }
 
 }  // namespace odeum::cli

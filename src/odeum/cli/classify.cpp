@@ -32,7 +32,7 @@ struct ClassifyOptions {
 /// Whether the arguments are an equation, not a problem: those have signs in them that names of
 /// cases and files have not.
 bool is_pde(const std::vector<std::string>& words) {
-  return words.size() != 1 || (!is_problem_file(words[0]) && !words[0].ends_with(".yaml") &&
+  return words.size() != 1 || (!cases::kind_of(cases::Named(words[0])) &&
                                (words[0].find_first_of("+=*/ (") != std::string::npos ||
                                 words[0].starts_with("u_") || words[0] == "u"));
 }
@@ -197,10 +197,10 @@ bool write_page(const record::OutputFolder& folder, const fem::PdeMap& map,
   return page.write({.command_line = "odeum classify " + equation});
 }
 
-void classify(const ClassifyOptions& given) {
+void classify(Session& session, const ClassifyOptions& given) {
   if (!is_pde(given.pde)) {
     if (given.step) require_positive("--step", *given.step);
-    classify_linear(case_of(given.pde[0], given.problems), given.solvers, given.step);
+    classify_linear(case_of(session, given.pde[0], given.problems), given.solvers, given.step);
     return;
   }
   if (!given.solvers.empty() || given.step)
@@ -236,7 +236,7 @@ void classify(const ClassifyOptions& given) {
 
 }  // namespace
 
-void add_classify(CLI::App& app) {
+void add_classify(CLI::App& app, Session& session) {
   const auto given = std::make_shared<ClassifyOptions>();
   CLI::App* command = app.add_subcommand(
       "classify",
@@ -261,7 +261,7 @@ void add_classify(CLI::App& app) {
       ->allow_extra_args(false);
   add_option(*command, "--step H", given->step, "of these solvers");
   add_problem_options(*command, given->problems, false);
-  command->callback([given] { classify(*given); });
+  command->callback([given, &session] { classify(session, *given); });
 }
 
 }  // namespace odeum::cli

@@ -17,11 +17,6 @@ namespace odeum::cli {
 
 constexpr const char* cache_variable = "XDG_CACHE_HOME";  // of formula::cache_folder
 
-Part& part() {
-  static Part one;
-  return one;
-}
-
 std::filesystem::path shard_folder(const std::filesystem::path& run, std::uint64_t shard,
                                    bool done) {
   return run / "shards" / fmt::format("{}{}", shard, done ? "" : ".part");
@@ -60,8 +55,11 @@ void sync(const std::filesystem::path& path) {
         fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
 }
 
-std::unique_ptr<record::Store> store_of_part() {
-  const Part& here = part();
+std::string Session::output(const std::string& given) const {
+  return is_alone() ? given : role == Role::merge ? out.string() : "";
+}
+
+std::unique_ptr<record::Store> store_of_part(const Session& here) {
   if (here.role == Role::plan) return nullptr;
   constexpr auto no_limit = static_cast<std::uintmax_t>(-1);
   const std::filesystem::path own =
@@ -72,20 +70,14 @@ std::unique_ptr<record::Store> store_of_part() {
   return store;
 }
 
-void require_kept(const record::Store* store) {
-  if (part().role == Role::shard && !store->problem().empty())
+void require_kept(const Session& session, const record::Store* store) {
+  if (session.role == Role::shard && !store->problem().empty())
     throw record::FileError("the shard's results could not be kept: " + store->problem());
 }
 
-std::string output_of_part(const std::string& given) {
-  if (part().role == Role::alone) return given;
-  return part().role == Role::merge ? part().out.string() : "";
-}
-
-void require_same_content(const std::string& content) {
-  Part& here = part();
-  if (here.role == Role::plan) here.content = content;
-  if (here.role == Role::alone || here.content == content) return;
+void require_planned_content(const Session& session) {
+  const bool planned = session.role == Role::shard || session.role == Role::merge;
+  if (!planned || session.planned_content == session.content) return;
   throw UsageError("a problem's file has changed since the plan was made; plan anew");
 }
 

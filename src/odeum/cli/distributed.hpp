@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,17 +15,26 @@ namespace odeum::cli {
 
 enum class Role { alone, plan, shard, merge };
 
-/// What this process does of the command that it runs.
-struct Part {
+/// One command line while it runs: what was loaded for it, and what this process does of it where
+/// it is that of a plan. Not thread-safe.
+struct Session {
+  std::string content;                       ///< tells the files that were loaded from others
+  std::map<std::string, std::string> words;  ///< by case of these files, those that name it
+
   Role role = Role::alone;
   std::filesystem::path run;                   ///< the folder of the plan
-  std::string mark;                            ///< of the plan, by which results are kept
+  std::string plan;                            ///< the plan's id, by which results are kept
   study::Share share;                          ///< of a shard
-  std::string content;                         ///< of the files that the command loaded
+  std::string planned_content;                 ///< of the files that were loaded for the plan
   std::vector<std::filesystem::path> results;  ///< folders of the shards' results, for a merge
   std::filesystem::path out;                   ///< of a merge
+
+  bool is_alone() const { return role == Role::alone; }
+  /// Nothing is written but results.
+  bool is_plan_or_shard() const { return role == Role::plan || role == Role::shard; }
+  /// The folder to which the command writes where it is told `given`; empty: to none.
+  std::string output(const std::string& given) const;
 };
-Part& part();
 
 /// The folder of a shard's files, once it is done and before.
 std::filesystem::path shard_folder(const std::filesystem::path& run, std::uint64_t shard,
@@ -50,17 +60,13 @@ class ShardCache {
 /// Has the system write a file or a folder to the disk. Throws FileError.
 void sync(const std::filesystem::path& path);
 
-/// The store of this process's part: the shard's own; in a merge that of all shards.
-std::unique_ptr<record::Store> store_of_part();
+/// The store of a plan's part: the shard's own; in a merge that of all shards. Null for the plan.
+std::unique_ptr<record::Store> store_of_part(const Session& session);
 
 /// Throws FileError where a shard's results could not be kept.
-void require_kept(const record::Store* store);
+void require_kept(const Session& session, const record::Store* store);
 
-/// The folder to which this process writes: that of the command, or of the merge; empty: to none.
-std::string output_of_part(const std::string& given);
-
-/// Notes in a plan, and compares elsewhere, what the command loaded. Throws UsageError where a
-/// file has changed since.
-void require_same_content(const std::string& content);
+/// Throws UsageError where a file has changed since the plan was made.
+void require_planned_content(const Session& session);
 
 }  // namespace odeum::cli

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "odeum/cli/run.hpp"
-#include "odeum/input/near_words.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -96,20 +95,6 @@ formula::Overrides overrides_of(const std::vector<std::string>& sets) {
       throw UsageError("--set: {} is given twice", shown(set.substr(0, equal)));
   }
   return overrides;
-}
-
-void keep_chosen(const std::string& path, const std::string& chosen,
-                 std::vector<Statement>& statements) {
-  std::vector<std::string> ids;
-  for (const Statement& each : statements) ids.push_back(each.id);
-  if (chosen.empty() && ids.size() > 1)
-    throw UsageError("{} has {} cases; got no --case, expected --case with {}", path, ids.size(),
-                     one_of(ids));
-  if (chosen.empty()) return;
-  std::erase_if(statements, [&](const Statement& each) { return each.id != chosen; });
-  if (statements.empty())
-    throw UsageError("--case: {} has no such case; got {}, expected {}", path, shown(chosen),
-                     one_of(ids, chosen));
 }
 
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command) {

@@ -11,8 +11,6 @@
 #include <vector>
 
 #include "odeum/cases/catalogue.hpp"
-#include "odeum/cli/distributed.hpp"
-#include "odeum/cli/problems.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/checksum.hpp"
 #include "odeum/core/machine.hpp"
@@ -65,31 +63,32 @@ std::string mark_of_program() {
   return mark;
 }
 
-record::Store* seconds_of_tasks() {
+record::Store* seconds_of_tasks(const Session& session) {
   static const std::string folder = formula::cache_folder();
   static const auto store =
       folder.empty() ? nullptr : std::make_unique<record::Store>(folder + "/seconds", 1U << 26);
-  const Role role = part().role;
-  return role == Role::shard || role == Role::merge ? nullptr : store.get();
+  const bool elsewhere = session.role == Role::shard || session.role == Role::merge;
+  return elsewhere ? nullptr : store.get();
 }
 
-study::ResultCache result_cache_of(record::Store* store, const study::Options& options) {
+study::ResultCache result_cache_of(const Session& session, record::Store* store,
+                                   const study::Options& options) {
   static const std::string here = mark_of_program() + ' ' + mark_of_machine() + ' ';
-  const std::string build = part().role == Role::alone ? here : part().mark + ' ';
-  const std::string run = build + options.text() + mark_of_loaded();
+  const std::string build = session.is_alone() ? here : session.plan + ' ';
+  const std::string run = build + options.text() + session.content;
   study::Options settings = options;
   settings.cases.clear();
   settings.solvers.clear();
   return {.store = store,
           .dependencies = run,
           .dependencies_of_built_in = build + settings.text(),
-          .share = part().share,
-          .seconds = seconds_of_tasks(),
+          .share = session.share,
+          .seconds = seconds_of_tasks(session),
           .settings = "seconds " + settings.text()};
 }
 
-std::unique_ptr<record::Store> open_store(const StudyOptions& options) {
-  if (part().role != Role::alone) return store_of_part();
+std::unique_ptr<record::Store> open_store(const Session& session, const StudyOptions& options) {
+  if (!session.is_alone()) return store_of_part(session);
   const std::string folder = options.no_cache ? "" : formula::cache_folder();
   return folder.empty() ? nullptr : std::make_unique<record::Store>(folder + "/results");
 }

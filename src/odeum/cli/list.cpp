@@ -60,23 +60,12 @@ std::string modes(const SolverInfo& info) {
   return text;
 }
 
-/// The solvers as enrolled on a problem, without its truth where it is a scene.
-Entrants entrants_of(const std::string& problem) {
-  const auto source = is_problem_file(problem) ? std::nullopt : find_scene(problem);
-  if (!source) return case_of(problem, ProblemOptions()).entrants;
-  const scene::ReadOptions options{.need_solver = false};
-  const scene::ReadScene read =
-      scene::read_scene(source->file, source->read(options.most_bytes), options);
-  return cases::enroll_scene(
-      std::make_shared<const scene::SceneProblem>(scene::at_start(read.scene)));
-}
-
-Listing list_solvers(const std::string& problem) {
+Listing list_solvers(Session& session, const std::string& problem) {
   Listing listing{.columns = {"id", "family", "order", "settings", "needs", "source"}, .shown = 5};
   std::optional<Entrants> entrants;
   if (!problem.empty()) {
     listing.columns.insert(listing.columns.begin() + 1, "fits");
-    entrants = entrants_of(problem);
+    entrants = case_before_truth(session, cases::Named(problem), ProblemOptions()).entrants;
   }
   const auto add = [&](const SolverInfo& info, const std::string& unfit) {
     const bool varies = std::isnan(info.order);
@@ -151,7 +140,7 @@ std::string as_json(const Listing& listing) {
 
 }  // namespace
 
-void add_list(CLI::App& app) {
+void add_list(CLI::App& app, Session& session) {
   struct Options {
     std::string what = "cases", problem;
     std::string format = "table";
@@ -170,7 +159,7 @@ void add_list(CLI::App& app) {
       ->check(CLI::IsMember({"table", "csv", "json"}));
   command->add_flag("--parameters", options->parameters,
                     "the parameters of cases, which odeum run --set changes");
-  command->callback([options] {
+  command->callback([options, &session] {
     if (options->parameters && options->what != "cases")
       throw UsageError(
           "--parameters: only cases have parameters; use odeum list cases --parameters");
@@ -180,7 +169,7 @@ void add_list(CLI::App& app) {
     const Listing listing = options->parameters         ? list_parameters()
                             : options->what == "cases"  ? list_cases()
                             : options->what == "scenes" ? list_scenes()
-                                                        : list_solvers(options->problem);
+                                                        : list_solvers(session, options->problem);
     print(options->format == "csv"    ? record::Records{listing.columns, listing.rows}.csv()
           : options->format == "json" ? as_json(listing)
                                       : as_table(listing));

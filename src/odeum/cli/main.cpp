@@ -7,6 +7,7 @@
 #include <new>
 #include <sstream>
 
+#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/help.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/build_info.hpp"
@@ -59,7 +60,7 @@ void add_plugin_option(CLI::App& app) {
     if (!command->get_allow_extras()) add(*command);
 }
 
-int run(const std::vector<std::string>& words) {
+int run(const std::vector<std::string>& words, Session& session) {
   CLI::App app{"Odeum: a laboratory that compares time integrators", "odeum"};
   app.formatter(std::make_shared<WrappedHelp>());
   const std::string_view revision = odeum::build::revision;
@@ -68,20 +69,20 @@ int run(const std::vector<std::string>& words) {
                                    revision.empty() ? "" : fmt::format(" ({})", revision)));
   app.require_subcommand(0, 1);
   int result = success;
-  add_list(app);
-  add_run(app, result);
-  add_advise(app, result);
-  add_why(app, result);
-  add_sweep(app, result);
+  add_list(app, session);
+  add_run(app, session, result);
+  add_advise(app, session, result);
+  add_why(app, session, result);
+  add_sweep(app, session, result);
   const odeum::study::Studies studies = odeum::study::make_studies();
-  for (const auto& study : studies) add_study(app, *study);
-  add_report(app);
-  add_verify(app, result);
-  add_classify(app);
+  for (const auto& study : studies) add_study(app, session, *study);
+  add_report(app, session);
+  add_verify(app, session, result);
+  add_classify(app, session);
   add_poisson(app);
   add_doctor(app);
   add_completion(app);
-  add_plan(app, result, run);
+  add_plan(app, session, result, run);
   add_plugin_option(app);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // from the back
@@ -116,7 +117,8 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write
   try {
-    return run({argv + 1, argv + argc});
+    Session session;
+    return run({argv + 1, argv + argc}, session);
   } catch (const odeum::LoadError& error) {
     return ended(usage, fmt::format("--plugin {}", error.what()));
   } catch (const UsageError& error) {

@@ -36,13 +36,13 @@ struct PlanOptions {
 };
 
 /// Runs the planned command in the folder in which it was planned.
-int run_planned(const PlanFile& plan, const Again& again) {
+int run_planned(Session& session, const PlanFile& plan, const RunCommandLine& run) {
   std::error_code error;
   fs::current_path(plan.folder, error);
   if (error)
     throw UsageError("the plan was made in {}, which cannot be entered: {}", plan.folder,
                      error.message());
-  return again(plan.words);
+  return run(plan.words, session);
 }
 
 double seconds_of(const std::string& shard_time) {
@@ -67,8 +67,8 @@ void print_plan(const PlanOptions& options, const study::PlannedTasks& foreseen,
       shell_word(options.run), shards - 1, packing.first_alone < shards ? 1 : 2);
 }
 
-int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
-              const Again& again) {
+int make_plan(Session& session, const PlanOptions& options, const std::vector<std::string>& words,
+              const RunCommandLine& run) {
   if (words.empty())
     throw UsageError("plan: no command; expected one: odeum plan converge --shards 8 --out RUN");
   if ((options.shards == 0) == options.shard_time.empty())
@@ -79,18 +79,17 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
       std::ranges::none_of(
           studies, [&](const auto& each) { return each->declaration().name == words.front(); }))
     throw UsageError("plan: {} cannot be done in shards; sweep and the studies can", words.front());
-  Part& here = part();
-  here.role = Role::plan;
-  here.share.plan = std::make_shared<study::PlannedTasks>();
+  session.role = Role::plan;
+  session.share.plan = std::make_shared<study::PlannedTasks>();
   const record::OutputFolder folder(options.run);
   const fs::path shards_of_it = folder.path() / "shards";
   if (fs::exists(folder.path() / "plan.json") && fs::exists(shards_of_it) &&
       !fs::is_empty(shards_of_it))
     throw UsageError("--out {}: has shards of a plan already; expected a new folder", options.run);
-  seconds_of_tasks();  // the user's, and not the plan's
+  seconds_of_tasks(session);  // the user's, and not the plan's
   keep_code_in(folder.path());
-  if (const int code = again(words); code != success) return code;
-  const study::PlannedTasks& foreseen = *here.share.plan;
+  if (const int code = run(words, session); code != success) return code;
+  const study::PlannedTasks& foreseen = *session.share.plan;
   const std::size_t tasks = foreseen.seconds.size();
   if (tasks == 0)
     throw UsageError("{} has no tasks that shards could do; nothing was planned", words.front());
@@ -102,10 +101,10 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
   const std::size_t shards = packing.seconds.size();
   const std::string program = program_sum();
   const std::string shard_of_task = study::text_of_shares(packing.shares);
-  const ordered_json json{{"id", sum_of(fmt::format("{} {} {} {}", program, here.content,
+  const ordered_json json{{"id", sum_of(fmt::format("{} {} {} {}", program, session.content,
                                                     fmt::join(words, "\n"), shard_of_task))},
                           {"program", program},
-                          {"content", here.content},
+                          {"content", session.content},
                           {"folder", fs::current_path().string()},
                           {"words", words},
                           {"shards", shards},
@@ -121,16 +120,15 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
   return success;
 }
 
-int run_shard(const PlanOptions& options, const Again& again) {
+int run_shard(Session& here, const PlanOptions& options, const RunCommandLine& run) {
   const PlanFile plan = read_plan(options.run);
   if (options.shard >= plan.shards)
     throw UsageError("shard {}: the plan has shards 0 to {}", options.shard, plan.shards - 1);
   require_same_program(plan);
-  Part& here = part();
   here.role = Role::shard;
   here.run = fs::absolute(options.run);
-  here.mark = "plan " + plan.id;
-  here.content = plan.content;
+  here.plan = "plan " + plan.id;
+  here.planned_content = plan.content;
   here.share.at = options.shard;
   here.share.shares = std::make_shared<const std::vector<std::uint32_t>>(plan.shares);
   here.share.begun = std::make_shared<std::uint64_t>(0);
@@ -149,7 +147,7 @@ int run_shard(const PlanOptions& options, const Again& again) {
   const auto start = std::chrono::steady_clock::now();
   const record::OutputFolder folder(doing);
   fs::create_directories(doing / "results");
-  if (const int code = run_planned(plan, again); code != success && code != solver_failed)
+  if (const int code = run_planned(here, plan, run); code != success && code != solver_failed)
     return code;
   if (interrupted) throw Stopped("the same command continues");
   const ordered_json json{
@@ -175,39 +173,38 @@ std::string text_of(const std::vector<std::pair<std::uint64_t, std::string>>& mi
   return text;
 }
 
-int merge(const PlanOptions& options, const Again& again) {
+int merge(Session& here, const PlanOptions& options, const RunCommandLine& run) {
   const PlanFile plan = read_plan(options.run);
   require_same_program(plan);
-  const fs::path run = fs::absolute(options.run);
-  auto missing = missing_of(plan, run);
+  const fs::path folder = fs::absolute(options.run);
+  auto missing = missing_of(plan, folder);
   // A network file system may show names and content some time after another machine made them.
   constexpr int looks = 2;
   for (int look = 0; look < looks && !missing.empty() && !interrupted; ++look) {
     std::this_thread::sleep_for(std::chrono::milliseconds(400 << look));
-    missing = missing_of(plan, run);
+    missing = missing_of(plan, folder);
   }
   if (!missing.empty()) {
     print(text_of(missing));
     if (options.resubmit) {
       std::vector<std::uint64_t> shards;
       for (const auto& [shard, reason] : missing) shards.push_back(shard);
-      const record::OutputFolder folder(options.run);
-      folder.write("resubmit.sh", resubmit_script(shards, plan.first_alone));
+      const record::OutputFolder of_plan(options.run);
+      of_plan.write("resubmit.sh", resubmit_script(shards, plan.first_alone));
       print("slurm   sh {}/resubmit.sh\n", shell_word(options.run));
     }
     return check_failed;
   }
-  Part& here = part();
   here.role = Role::merge;
-  here.run = run;
-  here.mark = "plan " + plan.id;
-  here.content = plan.content;
+  here.run = folder;
+  here.plan = "plan " + plan.id;
+  here.planned_content = plan.content;
   here.share.all_kept = true;
-  here.out = options.out.empty() ? run / "out" : fs::absolute(options.out);
+  here.out = options.out.empty() ? folder / "out" : fs::absolute(options.out);
   for (std::uint64_t shard = 0; shard < plan.shards; ++shard)
-    here.results.push_back(shard_folder(run, shard, true) / "results");
-  const int code = run_planned(plan, again);
-  fs::remove_all(run / "merge");  // the store of a merge has no results of its own
+    here.results.push_back(shard_folder(folder, shard, true) / "results");
+  const int code = run_planned(here, plan, run);
+  fs::remove_all(folder / "merge");  // the store of a merge has no results of its own
   return code;
 }
 
@@ -225,7 +222,7 @@ int tell_status(const PlanOptions& options) {
 
 }  // namespace
 
-void add_plan(CLI::App& app, int& result, const Again& again) {
+void add_plan(CLI::App& app, Session& session, int& result, const RunCommandLine& run) {
   const auto options = std::make_shared<PlanOptions>();
   const auto add_run = [&](CLI::App* command) {
     add_option(*command, "run RUN", options->run, "the folder of a plan")->required();
@@ -240,19 +237,20 @@ void add_plan(CLI::App& app, int& result, const Again& again) {
       "as many that each takes about so long, as 30min, by the seconds of earlier runs or of "
       "a sample that is timed now");
   add_option(*plan, "--out RUN", options->run, "the folder of the plan")->required();
-  plan->callback([=, &result] { result = make_plan(*options, plan->remaining(), again); });
+  plan->callback(
+      [=, &session, &result] { result = make_plan(session, *options, plan->remaining(), run); });
   CLI::App* shard = app.add_subcommand("shard", "run one shard of a plan");
   add_run(shard);
   add_option(*shard, "shard K", options->shard, "its number, from 0")
       ->required()
       ->check(CLI::Range(std::uint64_t{0}, most_shards));
-  shard->callback([=, &result] { result = run_shard(*options, again); });
+  shard->callback([=, &session, &result] { result = run_shard(session, *options, run); });
   CLI::App* merged = app.add_subcommand("merge", "the files of the whole plan, from its shards");
   add_run(merged);
   add_option(*merged, "--out DIR", options->out, "folder for the files; default: RUN/out");
   merged->add_flag("--resubmit", options->resubmit,
                    "where shards are missing, write resubmit.sh with an array of just these");
-  merged->callback([=, &result] { result = merge(*options, again); });
+  merged->callback([=, &session, &result] { result = merge(session, *options, run); });
   CLI::App* status = app.add_subcommand("status", "which shards of a plan are done");
   add_run(status);
   status->callback([=, &result] { result = tell_status(*options); });

@@ -81,7 +81,7 @@ std::vector<const Case*> cases_of(const Options& options) {
 
 /// Runs what each study has of its own for a report, adds what earlier runs left of the rest, and
 /// writes the files of what was measured.
-void run_studies(const study::Studies& studies, const Options& options,
+void run_studies(const Session& session, const study::Studies& studies, const Options& options,
                  const std::optional<record::OutputFolder>& folder, record::Store* store) {
   for (const auto& study : studies) {
     const study::Declaration& declaration = study->declaration();
@@ -89,8 +89,9 @@ void run_studies(const study::Studies& studies, const Options& options,
     bool partial = runs.empty();
     for (const study::Options& run : runs) {
       record::Store* const kept =
-          declaration.no_resume.empty() || part().role != Role::alone ? store : nullptr;
-      study->measure(run, study::Runner(options.jobs_or_cores(), result_cache_of(kept, run)));
+          declaration.no_resume.empty() || !session.is_alone() ? store : nullptr;
+      study->measure(run,
+                     study::Runner(options.jobs_or_cores(), result_cache_of(session, kept, run)));
       partial = partial || !run.cases.empty() || !run.solvers.empty();
     }
     if (folder && partial && options.given.empty()) study->add_earlier(folder->path());
@@ -100,24 +101,24 @@ void run_studies(const study::Studies& studies, const Options& options,
     if (study->measured()) study->write(*folder, options.jobs_or_cores());
 }
 
-void run(const Options& options) {
+void run(const Session& session, const Options& options) {
   check_case_globs(options.cases);
   const auto start = std::chrono::steady_clock::now();
-  require_same_content(mark_of_loaded());
+  require_planned_content(session);
   std::optional<record::OutputFolder> out;
-  if (const std::string path = output_of_part(options.out); !path.empty()) out.emplace(path);
+  if (const std::string path = session.output(options.out); !path.empty()) out.emplace(path);
   const study::Studies studies = study::make_studies();
-  const auto store = open_store(options);
+  const auto store = open_store(session, options);
   try {
-    run_studies(studies, options, out, store.get());
+    run_studies(session, studies, options, out, store.get());
   } catch (const Interrupted&) {
     throw Stopped(resume_hint(store.get()));
   }
-  require_kept(store.get());
+  require_kept(session, store.get());
   if (!out) return;
   const record::OutputFolder& folder = *out;
   const unsigned jobs = options.jobs_or_cores();
-  report::Report report(facts_for(cases_of(options), jobs), folder, jobs);
+  report::Report report(facts_for(session, cases_of(options), jobs), folder, jobs);
   for (const auto& study : studies)
     if (options.given.empty() || study->measured()) {
       report.study(study->facts());
@@ -144,12 +145,12 @@ void run(const Options& options) {
   print(study::summary_text(report.facts(),
                             study::result_of<study::ConvergenceResult>(studies).orders) +
         fmt::format("report: {}\n", report::plain(at.string())));
-  if (part().role == Role::alone) remark_on(store.get());
+  if (session.is_alone()) remark_on(store.get());
 }
 
 }  // namespace
 
-void add_report(CLI::App& app) {
+void add_report(CLI::App& app, Session& session) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("report", "the whole comparison: tables, plots and a page");
@@ -159,11 +160,11 @@ void add_report(CLI::App& app) {
              "only these of the cases that a report measures, with * and ?; !GLOB excludes");
   add_study_options(*command, *options);
   add_problem_options(*command, options->problems);
-  command->callback([options] {
+  command->callback([options, &session] {
     check_solver_globs(options->solvers);  // before truths are computed
-    options->given = load_problems(options->problems, {});
+    options->given = load_problems(session, options->problems, {});
     check_case_globs(options->given);
-    run(*options);
+    run(session, *options);
   });
 }
 

@@ -141,6 +141,14 @@ void check_span(const RunSettings& settings, double t0, double horizon) {
                      end);
 }
 
+Case case_within(Session& session, const std::string& what, const ProblemOptions& options,
+                 const RunSettings& settings) {
+  Case c = case_before_truth(session, cases::Named(what), options);
+  check_span(settings, c.t0, c.end());
+  complete(c);
+  return c;
+}
+
 Request make_request(const RunSettings& settings, double t0, double horizon, std::size_t numbers,
                      const SolverInfo& info) {
   Request request;

@@ -132,7 +132,7 @@ void add_what_to_run(CLI::App& command, RunOptions& options) {
 
 }  // namespace
 
-void add_run(CLI::App& app, int& result) {
+void add_run(CLI::App& app, Session& session, int& result) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command =
       app.add_subcommand("run", "one case, scene, problem file or FMU with one or more solvers");
@@ -158,18 +158,15 @@ void add_run(CLI::App& app, int& result) {
   add_option(*command, "--max-megabytes N", options->megabytes, "of a scene's file")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
-  command->callback([options, command, &result] {
+  command->callback([options, command, &session, &result] {
     options->more = words_of(options->problems.sets, *command);
     options->limits.most_bytes = options->megabytes * 1'000'000;
-    const bool is_problem = is_problem_file(options->what);
-    const auto scene = is_problem ? std::nullopt : find_scene(options->what);
+    const cases::Named what(options->what);
+    const cases::Kind* const kind = cases::kind_of(what);
+    const bool scene = kind && kind->has_frames;
     if (!scene && options->frames > 0)
       throw UsageError("--frames: pictures are of a scene's run, and {} is none", options->what);
-    if (is_problem) {
-      result = run_problem(*options);
-      return;
-    }
-    require_no_choice(options->what, options->problems.chosen);
+    if (scene) require_no_choice(options->what, options->problems.chosen);
     if (scene && options->code) throw UsageError("--code takes a case, not a scene");
     // A study runs a scene as a case; so do rows, whose errors are those of studies.
     const bool as_case = !options->stops.empty() || options->format == "json";
@@ -180,7 +177,7 @@ void add_run(CLI::App& app, int& result) {
               "{}: expected neither --stops nor --format json, with which a scene is run as "
               "studies run it",
               of_frames);
-    result = scene && !as_case ? run_scene(*scene, *options) : run_case(*options);
+    result = scene && !as_case ? run_scene(what, *options) : run_case(session, what, *options);
   });
 }
 

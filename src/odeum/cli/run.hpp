@@ -46,6 +46,11 @@ std::string text_of_tolerance(const Request& request);
 /// Throws UsageError where no run from t0 to `until` or `horizon` can have the settings.
 void check_span(const RunSettings& settings, double t0, double horizon);
 
+/// The case of a command with such settings; the span is checked before the truth is computed.
+/// Throws UsageError.
+Case case_within(Session& session, const std::string& what, const ProblemOptions& options,
+                 const RunSettings& settings);
+
 /// The request for a solver over [t0, until or `horizon`], with the only stop at the end;
 /// `numbers`: the size of a state. A step that does not divide it is reduced, with a remark. Throws
 /// UsageError for an invalid setting or one that the solver does not support.
@@ -59,7 +64,7 @@ Request make_request(const RunSettings& settings, double t0, double horizon, std
 void ask_for_output(Request& request, const RunSettings& settings, double t0, std::size_t numbers);
 
 struct RunOptions {
-  std::string what;  ///< a case or a scene
+  std::string what;  ///< a case, a scene, a problem's file or an FMU
   std::vector<std::string> solvers;
   std::string out;
   std::string format = "table";
@@ -87,7 +92,7 @@ std::vector<std::string> those_that_fit(const Entrants& entrants, const RunOptio
 
 /// Runs a scene with each solver, prints the model and the results, writes the files. Returns the
 /// exit code.
-int run_scene(const SceneSource& source, const RunOptions& options);
+int run_scene(const cases::Named& source, const RunOptions& options);
 
 using Assignments = std::vector<std::pair<std::string, double>>;
 /// The values of an option NAME=NUMBER, in their order. Throws UsageError for what is none, a
@@ -100,11 +105,8 @@ std::map<std::string, double> library_options(const RunOptions& options, const S
 /// The case with the values of --set. Throws UsageError.
 Case with_sets(const Case& c, const std::vector<std::string>& sets);
 
-/// The same for a case.
-int run_case(const RunOptions& options);
-
-/// Prints what was found in a problem file; the same for its case where a solver is given.
-int run_problem(const RunOptions& options);
+/// The same for a case. Of a file, prints what was found in it, also where no solver is given.
+int run_case(Session& session, const cases::Named& what, const RunOptions& options);
 
 /// A C++ program that makes one run and prints the state at its end, by an own method or the
 /// library's own interface. `problem`: the struct of struct_of(); without it the case comes from

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <map>
 #include <optional>
 #include <set>
 
 #include "odeum/advise/why_answer.hpp"
+#include "odeum/cases/conditions.hpp"
 #include "odeum/cases/text_case.hpp"
-#include "odeum/cli/conditions.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/run_rows.hpp"
 #include "odeum/core/interrupt.hpp"
@@ -28,9 +27,10 @@ namespace {
 
 using trajectories::CaseRun;
 
-// Where the truth ends before the run does, the last time on its grid at which the error is known.
-void stop_at_last_truth(Request& request, const Case& c) {
-  if (c.end() == c.stops.back()) return;
+/// Where the truth ends before a run without outputs does, adds the last time on its grid at which
+/// the error is known; whether there is one.
+bool stop_at_last_truth(Request& request, const Case& c) {
+  if (c.end() == c.stops.back() || request.stops.size() > 1) return false;
   const double end = request.stops.back();
   for (std::size_t k = c.stops.size(); k-- > 0;) {
     if (c.stops[k] >= end) continue;
@@ -39,8 +39,9 @@ void stop_at_last_truth(Request& request, const Case& c) {
     if (with.mode == Mode::fixed && !FixedGrid(c.t0, with).fits()) continue;
     request = with;
     request.over_stops = true;
-    return;
+    return true;
   }
+  return false;
 }
 
 // Where the study measures the error; empty: no study is named.
@@ -59,8 +60,6 @@ CaseRun prepare(const Case& c, const std::string& solver, const RunOptions& opti
     run.request.stops = stops;
   else if (!options.out.empty() || options.settings.every)
     ask_for_output(run.request, options.settings, c.t0, c.y0.size());
-  else
-    stop_at_last_truth(run.request, c);
   return run;
 }
 
@@ -130,8 +129,7 @@ std::string why_text(const Case& c, const CaseRun& run, const RunOptions& option
   std::string text;
   if (run.outcome.counters.work < cheap)
     text = "why     " +
-           advise::first_line(advise::why(c, solver, request, seconds,
-                                          conditions_of(options.what, options.problems, c))) +
+           advise::first_line(advise::why(c, solver, request, seconds, cases::conditions_of(c))) +
            "\n";
   return text + fmt::format("more    odeum why {}{} --solver {} {}\n", shell_word(options.what),
                             options.more, solver, advise::setting_of(request, c));
@@ -166,69 +164,89 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
   return text;
 }
 
-bool same_run(const Request& a, const Request& b) {
-  return a.mode == b.mode && a.steps == b.steps && a.stops == b.stops &&
-         a.tolerance.relative == b.tolerance.relative &&
-         a.tolerance.absolutes() == b.tolerance.absolutes() && a.options == b.options;
-}
-
-/// Runs of solvers by their ids.
-using FirstRuns = std::map<std::string, std::pair<Request, Outcome>>;
-
-/// Solves and says how it ended.
-void solve_first(CaseRun& run, std::size_t n) {
-  const std::clock_t begin = std::clock();
+void solve(CaseRun& run) {
   run.outcome = trajectories::solve_with_outputs(*run.entrant, run.request);
-  remark(first_text(run, n, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC));
 }
 
-/// Runs the solvers before the truth is computed, which may take much longer, says how they ended
-/// and writes their files. Where the tolerances wait for the scale that the truth proposes, these
-/// are runs in units of 1.
-FirstRuns run_before_truth(const Case& c, RunOptions options) {
-  if (options.solvers.empty() || options.code || !has_setting(options.settings)) return {};
-  options.settings = settings_for(c, options.settings);
-  FirstRuns first;
-  std::vector<CaseRun> runs;
-  for (const std::string& solver : those_that_fit(c.entrants, options, false)) {
-    runs.push_back(prepare(c, solver, options));
-    solve_first(runs.back(), c.y0.size());
-    if (interrupted) return {};
-    first[runs.back().entrant->info.id()] = {runs.back().request, runs.back().outcome};
+/// Solves before the truth is known, which may take much longer, says how each run ended, and
+/// writes the files.
+void solve_before_truth(std::vector<CaseRun>& runs, const Case& c, const RunOptions& options,
+                        bool from_file) {
+  for (CaseRun& run : runs) {
+    const std::clock_t begin = std::clock();
+    solve(run);
+    remark(
+        first_text(run, c.y0.size(), static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC));
+    if (interrupted) return;
   }
-  if (!options.out.empty()) write_files(c, runs, options, true);
-  return first;
+  if (!options.out.empty() && !runs.empty()) write_files(c, runs, options, from_file);
 }
 
-int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_file = false,
-                const FirstRuns& first = {}) {
+/// What was found in a file, for people.
+std::string text_of_file(const Case& c, const RunOptions& options) {
+  std::string text =
+      fmt::format("{:<9}  {} ({})\n", "problem", report::plain(c.title), report::plain(c.source));
+  for (const auto& [name, fact] : c.facts)
+    text += fmt::format("{:<9}  {}\n", name, report::plain(fact));
+  for (const std::string& line : describe_fits(c.entrants, options.verbose)) text += line + "\n";
+  return text;
+}
+
+void require_solver_and_setting(const RunOptions& options) {
   if (options.solvers.empty())
     throw UsageError(
         "--solver is required; a scene's own is taken without --stops and --format json");
-  options.settings = settings_for(c, options.settings);
   if (!has_setting(options.settings))
     throw UsageError("run needs --step or --tol, or --rtol and --atol");
-  if (options.code) {
-    if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
-    const Entrant& entrant = find_entrant(c.entrants, c.id, options.solvers.front());
-    print(code_of(c, struct_of(options.what, options.problems, c, entrant.info), entrant,
-                  make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info)));
-    return success;
-  }
+}
+
+std::vector<CaseRun> runs_of(const Case& c, const RunOptions& options) {
+  require_solver_and_setting(options);
   std::vector<CaseRun> runs;
-  options.solvers = those_that_fit(c.entrants, options);
-  for (const std::string& solver : options.solvers) runs.push_back(prepare(c, solver, options));
+  for (const std::string& solver : those_that_fit(c.entrants, options))
+    runs.push_back(prepare(c, solver, options));
+  return runs;
+}
+
+int print_code(const Case& c, const RunOptions& options) {
+  require_solver_and_setting(options);
+  if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
+  const Entrant& entrant = find_entrant(c.entrants, c.id, options.solvers.front());
+  print(code_of(c, struct_of(c, entrant.info), entrant,
+                make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info)));
+  return success;
+}
+
+}  // namespace
+
+int run_case(Session& session, const cases::Named& what, const RunOptions& given) {
+  RunOptions options = given;
+  const cases::Kind* const kind = cases::kind_of(what);
+  const bool from_file = kind && !kind->has_frames, rows = options.format == "json";
+  Case c = case_before_truth(session, what, options.problems);
+  options.settings = settings_for(c, options.settings);
+  if (options.code) return print_code(c, options);
   // Beside rows, what people read goes where remarks go.
-  const auto say = [&](const std::string& text) {
-    options.format == "json" ? tell(text) : print(text);
-  };
-  for (const auto& [name, value] : sets) say(fmt::format("set     {} = {}\n", name, value));
+  const auto say = [&](const std::string& text) { rows ? tell(text) : print(text); };
+  const bool only_found = from_file && !rows && options.solvers.empty() &&
+                          !has_setting(given.settings) && options.out.empty();
+  std::vector<CaseRun> runs;
+  if (!only_found) runs = runs_of(c, options);
+  const bool waits = options.truth && c.compute_truth;
+  if (waits) {
+    solve_before_truth(runs, c, options, from_file);
+    if (interrupted) return interrupted_code;
+    complete(c);
+  }
+  if (from_file) say(text_of_file(c, options));
+  if (only_found) return success;
+  if (!from_file)
+    for (const auto& [name, value] : assignments("--set", options.problems.sets))
+      say(fmt::format("set     {} = {}\n", name, value));
   say(fmt::format("case    {}: {}\n", c.id, c.equation));
   for (CaseRun& run : runs) {
-    const auto before = first.find(run.entrant->info.id());
-    run.outcome = before != first.end() && same_run(before->second.first, run.request)
-                      ? before->second.second
-                      : trajectories::solve_with_outputs(*run.entrant, run.request);
+    // A run that ends beyond the truth is made again with an output where that ends.
+    if (stop_at_last_truth(run.request, c) || !waits) solve(run);
     if (interrupted) return interrupted_code;
   }
   if (options.truth) {
@@ -244,45 +262,8 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
     any_close = any_close || (run.outcome.status == Status::ok && !errors.back().diverged);
   }
   if (!options.out.empty()) say(write_files(c, runs, options, from_file));
-  if (options.format == "json") print(record::json_of(rows_of(c, runs, errors)));
+  if (rows) print(record::json_of(rows_of(c, runs, errors)));
   return any_close ? success : solver_failed;
-}
-
-}  // namespace
-
-int run_case(const RunOptions& options) {
-  FirstRuns first;
-  if (options.truth)
-    if (const std::optional<Case> scene = scene_before_truth(options.what))
-      first = run_before_truth(*scene, options);
-  if (interrupted) return interrupted_code;
-  return run_solvers(case_of(options.what, options.problems),
-                     assignments("--set", options.problems.sets), options, false, first);
-}
-
-int run_problem(const RunOptions& options) {
-  const bool rows = options.format == "json";
-  if (rows && options.solvers.empty()) throw UsageError("--format json: a run needs --solver");
-  SpanCheck check;
-  if (has_setting(options.settings) && !options.solvers.empty())
-    check = [&](double t0, double end) { check_span(options.settings, t0, end); };
-  const std::optional<Case> before = load_before_truth(options.what, options.problems);
-  if (before && check) check(before->t0, before->end());
-  const FirstRuns first =
-      options.truth && before ? run_before_truth(*before, options) : FirstRuns();
-  if (interrupted) return interrupted_code;
-  const Case& c =
-      before && !options.truth ? *before : load_problem(options.what, options.problems, check);
-  if (options.code) return run_solvers(c, {}, options, true);
-  std::string text =
-      fmt::format("{:<9}  {} ({})\n", "problem", report::plain(c.title), report::plain(c.source));
-  for (const auto& [name, fact] : c.facts)
-    text += fmt::format("{:<9}  {}\n", name, report::plain(fact));
-  for (const std::string& line : describe_fits(c.entrants, options.verbose)) text += line + "\n";
-  rows ? tell(text) : print(text);
-  const bool asked = has_setting(options.settings) || !options.out.empty();
-  if (options.solvers.empty() && !asked) return success;
-  return run_solvers(c, {}, options, true, first);
 }
 
 }  // namespace odeum::cli

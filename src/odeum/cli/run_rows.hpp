@@ -31,10 +31,9 @@ struct RunRow {
 
   static constexpr const char* file = "runs";
   ODEUM_COLUMNS(case_id, library, solver, mode, step, tolerance, end, status, detail, reached,
-                counters.steps, column("rejected", counters.rejected_steps),
-                column("evaluations", counters.rhs_evaluations),
-                column("jacobians", counters.jacobian_evaluations), error_time, error_component,
-                error_unit, error_max, error_rms, floor, judged, truth)
+                counters.steps, counters.rejected_steps, counters.rhs_evaluations,
+                counters.jacobian_evaluations, error_time, error_component, error_unit, error_max,
+                error_rms, floor, judged, truth)
 };
 struct RunRows {
   std::vector<RunRow> rows;

@@ -208,13 +208,13 @@ void print_why(const Scene& scene, const SceneRun& run, const RunOptions& option
         run.entrant->info.id(), advise::setting_of(run.request, whole));
 }
 
-int run_read(const scene::ReadScene& read, const SceneSource& source,
+int run_read(const scene::ReadScene& read, const cases::Named& source,
              const std::string& source_text, const RunOptions& options) {
   Scene scene = read.scene;
   for (const std::string& warning : read.warnings) remark(warning + " (warning)");
   scene.name = report::plain(scene.name);
   if (scene.name.empty())
-    scene.name = report::plain(std::filesystem::path(source.file).stem().string());
+    scene.name = report::plain(std::filesystem::path(source.word()).stem().string());
   const auto whole = std::make_shared<const SceneProblem>(scene::at_start(scene));
   const auto entrants = cases::enroll_scene(whole);
   const RunSettings settings = settings_of(options, scene);
@@ -271,15 +271,16 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
 
 }  // namespace
 
-int run_scene(const SceneSource& source, const RunOptions& options) {
+int run_scene(const cases::Named& source, const RunOptions& options) {
   scene::ReadOptions read_options = options.limits;
   read_options.need_solver = options.solvers.empty() || !has_setting(options.settings);
   if (!options.problems.sets.empty())
     throw UsageError("--set: a scene has no parameters; change its file");
   if (options.settings.every) require_positive("--every", *options.settings.every);
   try {
-    const std::string text = source.read(read_options.most_bytes, "--max-megabytes raises it");
-    return run_read(scene::read_scene(source.file, text, read_options), source, text, options);
+    const std::string& text =
+        cases::scene_text(source, read_options.most_bytes, "--max-megabytes raises it");
+    return run_read(scene::read_scene(source.word(), text, read_options), source, text, options);
   } catch (const std::length_error& error) {
     throw UsageError(error.what());
   }

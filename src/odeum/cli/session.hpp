@@ -16,6 +16,8 @@ class Study;
 
 namespace odeum::cli {
 
+struct Session;  // distributed.hpp
+
 /// The exit codes of the command-line contract.
 enum ExitCode {
   success = 0,
@@ -96,23 +98,23 @@ void add_study_options(CLI::App& command, StudyOptions& options);
 /// Adds --format, of what is printed: table or json.
 void add_format(CLI::App& command, std::string& format);
 
-/// Each adds its subcommand; `result` receives the exit code where that can be another one than
-/// `success` without an error.
-void add_list(CLI::App& app);
-void add_run(CLI::App& app, int& result);
-void add_advise(CLI::App& app, int& result);
-void add_why(CLI::App& app, int& result);
-void add_sweep(CLI::App& app, int& result);
-void add_report(CLI::App& app);
-void add_verify(CLI::App& app, int& result);
-void add_classify(CLI::App& app);
+/// Each adds its subcommand, which works with the session; `result` receives the exit code where
+/// that can be another one than `success` without an error.
+void add_list(CLI::App& app, Session& session);
+void add_run(CLI::App& app, Session& session, int& result);
+void add_advise(CLI::App& app, Session& session, int& result);
+void add_why(CLI::App& app, Session& session, int& result);
+void add_sweep(CLI::App& app, Session& session, int& result);
+void add_report(CLI::App& app, Session& session);
+void add_verify(CLI::App& app, Session& session, int& result);
+void add_classify(CLI::App& app, Session& session);
 void add_poisson(CLI::App& app);
 void add_doctor(CLI::App& app);
 /// Runs a command line of Odeum, without the program's name; returns its exit code.
-using Again = std::function<int(const std::vector<std::string>& words)>;
+using RunCommandLine = std::function<int(const std::vector<std::string>& words, Session& session)>;
 /// Adds plan, shard, merge and status.
-void add_plan(CLI::App& app, int& result, const Again& again);
+void add_plan(CLI::App& app, Session& session, int& result, const RunCommandLine& run);
 /// The command that a study declares.
-void add_study(CLI::App& app, study::Study& study);
+void add_study(CLI::App& app, Session& session, study::Study& study);
 
 }  // namespace odeum::cli

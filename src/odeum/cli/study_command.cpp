@@ -37,11 +37,12 @@ void add_own_option(CLI::App& command, const study::Option& option, study::Optio
 }
 
 /// Makes the folder a report of this study, beside the studies that it was one of before.
-void show(const study::Study& study, const study::Options& options,
+void show(const Session& session, const study::Study& study, const study::Options& options,
           const record::OutputFolder& folder, unsigned jobs) {
   const bool on_cases = !study.declaration().cases_help.empty();
   report::Report report(
-      facts_for(on_cases ? study::select_cases(options.cases) : std::vector<const Case*>(), jobs),
+      facts_for(session, on_cases ? study::select_cases(options.cases) : std::vector<const Case*>(),
+                jobs),
       folder, jobs);
   for (const auto& other : study::make_studies())
     report.study(other->folder() == study.folder() ? study.facts() : other->facts());
@@ -50,31 +51,32 @@ void show(const study::Study& study, const study::Options& options,
       {.command_line = "odeum " + study.declaration().name, .quick = options.quick}, true));
 }
 
-void run_study(study::Study& study, study::Options options, const StudyOptions& common) {
+void run_study(const Session& session, study::Study& study, study::Options options,
+               const StudyOptions& common) {
   std::erase_if(options.own, [](const auto& option) { return option.second.empty(); });
   const study::Declaration& declaration = study.declaration();
   if (common.resume && !declaration.no_resume.empty())
     throw UsageError("--resume: " + declaration.no_resume);
   check_case_globs(options.cases);
   options.solvers = common.solvers;
-  require_same_content(mark_of_loaded());
+  require_planned_content(session);
   std::optional<record::OutputFolder> out;
-  if (const std::string path = output_of_part(common.out); !path.empty()) out.emplace(path);
+  if (const std::string path = session.output(common.out); !path.empty()) out.emplace(path);
   const auto store =
-      declaration.no_resume.empty() || part().role != Role::alone ? open_store(common) : nullptr;
+      declaration.no_resume.empty() || !session.is_alone() ? open_store(session, common) : nullptr;
   try {
-    study.measure(options,
-                  study::Runner(common.jobs_or_cores(), result_cache_of(store.get(), options)));
+    study.measure(options, study::Runner(common.jobs_or_cores(),
+                                         result_cache_of(session, store.get(), options)));
   } catch (const Interrupted&) {
     throw Stopped(resume_hint(store.get()));
   }
-  require_kept(store.get());
+  require_kept(session, store.get());
   if (!out) return;
   const record::OutputFolder& folder = *out;
   study.write(folder, common.jobs_or_cores());
-  show(study, options, folder, common.jobs_or_cores());
+  show(session, study, options, folder, common.jobs_or_cores());
   print(common.format == "json" ? study.json() : study.table());
-  if (part().role == Role::alone) remark_on(store.get());
+  if (session.is_alone()) remark_on(store.get());
   std::vector<std::string> files;
   for (const auto& [file, columns] : study.files())  // without rows a file is not written
     if (std::filesystem::exists(folder.path() / file)) files.push_back(file);
@@ -107,22 +109,22 @@ std::vector<std::string> take_elements(std::vector<std::string>& globs) {
 
 /// Orders in the mesh size for `odeum converge`; other studies refuse such problems. True where
 /// there is nothing else to do.
-bool run_elements(const study::Study& study, study::Options& options, ProblemOptions& words,
-                  const StudyOptions& common) {
+bool run_elements(const Session& session, const study::Study& study, study::Options& options,
+                  ProblemOptions& words, const StudyOptions& common) {
   std::vector<std::string> problems = take_elements(options.cases);
   for (std::string& word : take_elements(words.words)) problems.push_back(std::move(word));
   if (problems.empty()) return false;
   if (study.declaration().name != "converge") refuse_in_space(problems.front());
   for (const auto& other : study::make_studies())
     if (other->declaration().name == "elements")
-      run_study(*other, {.own = {{"problems", fmt::format("{}", fmt::join(problems, " "))}}},
-                common);
+      run_study(session, *other,
+                {.own = {{"problems", fmt::format("{}", fmt::join(problems, " "))}}}, common);
   return options.cases.empty() && words.words.empty();
 }
 
 }  // namespace
 
-void add_study(CLI::App& app, study::Study& study) {
+void add_study(CLI::App& app, Session& session, study::Study& study) {
   struct Arguments {
     StudyOptions common;
     study::Options study;
@@ -141,11 +143,11 @@ void add_study(CLI::App& app, study::Study& study) {
     add_own_option(*command, option, given->study);
   add_study_options(*command, given->common);
   add_format(*command, given->common.format);
-  command->callback([given, &study] {
+  command->callback([given, &session, &study] {
     check_solver_globs(given->common.solvers);  // before truths are computed
-    if (run_elements(study, given->study, given->problems, given->common)) return;
-    given->study.cases = load_problems(given->problems, given->study.cases);
-    run_study(study, given->study, given->common);
+    if (run_elements(session, study, given->study, given->problems, given->common)) return;
+    given->study.cases = load_problems(session, given->problems, given->study.cases);
+    run_study(session, study, given->study, given->common);
   });
 }
 

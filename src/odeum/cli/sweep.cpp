@@ -87,7 +87,8 @@ void plan_study(const SweepOptions& options, const Case& c, const std::string& s
   plan.quantities = plan.study->quantities;
 }
 
-sweep::Plan plan_of(const SweepOptions& options, const Case& c, const std::string& solver) {
+sweep::Plan plan_of(const Session& session, const SweepOptions& options, const Case& c,
+                    const std::string& solver) {
   sweep::Plan plan(c, members_of(options));
   plan.jobs = options.common.jobs_or_cores();
   if (options.study != "run") {
@@ -108,7 +109,7 @@ sweep::Plan plan_of(const SweepOptions& options, const Case& c, const std::strin
     if (const auto error = sweep::error_of_members(c)) plan.quantities.push_back(*error);
   plan.checks = options.check;
   const Request outputs = with_outputs(plan.request, settings, c);
-  if (!output_of_part(options.out).empty()) plan.over_time = outputs;
+  if (!session.output(options.out).empty()) plan.over_time = outputs;
   for (const sweep::Quantity& quantity : plan.quantities)
     if (quantity.over_time()) plan.request = outputs;
   return plan;
@@ -121,36 +122,35 @@ std::vector<std::string> solvers_of(const SweepOptions& options) {
   return options.solvers.empty() ? std::vector<std::string>{""} : options.solvers;
 }
 
-int sweep_on(const SweepOptions& options, const CLI::App& command) {
+int sweep_on(Session& session, const SweepOptions& options, const CLI::App& command) {
   try {
-    const Case c = case_of(options.what, options.problems,
-                           [&](double t0, double end) { check_span(options.settings, t0, end); });
+    const Case c = case_within(session, options.what, options.problems, options.settings);
     std::vector<sweep::Plan> plans;
     for (const std::string& solver : solvers_of(options))
-      plans.push_back(plan_of(options, c, solver));
-    require_same_content(mark_of_loaded());
-    const auto store = part().role == Role::alone ? nullptr : store_of_part();
+      plans.push_back(plan_of(session, options, c, solver));
+    require_planned_content(session);
+    const auto store = session.is_alone() ? nullptr : store_of_part(session);
     const sweep::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
     std::optional<record::OutputFolder> folder;
-    const std::string out = output_of_part(options.out);
+    const std::string out = session.output(options.out);
     if (!out.empty()) folder.emplace(out);
     std::vector<sweep::Result> results;
     std::string text;
     auto json = nlohmann::ordered_json::array();
     std::uint64_t solved = 0;
     for (sweep::Plan& plan : plans) {
-      if (part().role != Role::alone)
+      if (!session.is_alone())
         plan.kept = {.store = store.get(),
-                     .dependencies = part().mark + mark_of_loaded(),
-                     .share = part().share};
+                     .dependencies = session.plan + session.content,
+                     .share = session.share};
       results.push_back(sweep::run(plan));
-      if (part().role == Role::plan || part().role == Role::shard) continue;
+      if (session.is_plan_or_shard()) continue;
       text += sweep::text_of(plan, results.back(), asked);
       json.push_back(sweep::json_of(plan, results.back(), asked));
       solved += results.back().solved;
     }
-    require_kept(store.get());
-    if (part().role == Role::plan || part().role == Role::shard) return success;
+    require_kept(session, store.get());
+    if (session.is_plan_or_shard()) return success;
     if (json.size() == 1) json = nlohmann::ordered_json(json.front());
     print(options.format == "json" ? json.dump(2) + "\n" : text);
     if (folder) {
@@ -166,7 +166,7 @@ int sweep_on(const SweepOptions& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app, int& result) {
+void add_sweep(CLI::App& app, Session& session, int& result) {
   const auto options = std::make_shared<SweepOptions>();
   CLI::App* command =
       app.add_subcommand("sweep", "many runs of a problem with other values of its parameters");
@@ -208,7 +208,8 @@ void add_sweep(CLI::App& app, int& result) {
       ->check(CLI::IsMember({"text", "json"}));
   add_option(*command, "--out DIR", options->out,
              "folder for the files: members.csv, sweep.json and a page with a map");
-  command->callback([options, command, &result] { result = sweep_on(*options, *command); });
+  command->callback(
+      [options, command, &session, &result] { result = sweep_on(session, *options, *command); });
 }
 
 }  // namespace odeum::cli

@@ -22,7 +22,7 @@ int verify_truth(const Case& c) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, int& result) {
+void add_verify(CLI::App& app, Session& session, int& result) {
   auto what = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "verify",
@@ -31,9 +31,13 @@ void add_verify(CLI::App& app, int& result) {
   add_option(*command, "tableau FILE|CASE", *what,
              "a YAML file, see cases/tableaus/README.md; or a problem: a case or a file")
       ->required();
-  command->callback([what, &result] {
-    const bool problem = is_problem_file(*what) || knows_case(*what);
-    result = problem ? verify_truth(case_of(*what, ProblemOptions{})) : verify_tableau(*what);
+  command->callback([what, &session, &result] {
+    const cases::Named named(*what);
+    const cases::Kind* const kind = cases::kind_of(named);
+    // A tableau's file is YAML as a scene's is.
+    const bool problem = knows_case(*what) || (kind && !kind->has_frames && named.exists());
+    result =
+        problem ? verify_truth(case_of(session, *what, ProblemOptions{})) : verify_tableau(*what);
   });
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "odeum/advise/why_answer.hpp"
-#include "odeum/cli/conditions.hpp"
+#include "odeum/cases/conditions.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/core/clocks.hpp"
 #include "odeum/record/output_folder.hpp"
@@ -70,15 +70,14 @@ void write_files(const std::string& out, const Case& c, const advise::Why& why,
   remark_on_page(trajectories::write_case_page(folder, c, shown_runs(c, why, same), texts));
 }
 
-int why_on(const WhyOptions& options, const CLI::App& command) {
+int why_on(Session& session, const WhyOptions& options, const CLI::App& command) {
   require_positive("--seconds", options.seconds);
   // A truth that takes longer is known in part, or not at all.
   constexpr double for_truth = 0.25, least = 0.5;
   const auto start = std::chrono::steady_clock::now();
   const truth::Deadline deadline(
       start + std::chrono::milliseconds(std::llround(1e3 * for_truth * options.seconds)));
-  const Case c = case_of(options.what, options.problems,
-                         [&](double t0, double end) { check_span(options.settings, t0, end); });
+  const Case c = case_within(session, options.what, options.problems, options.settings);
   const RunSettings settings = settings_for(c, options.settings);
   if (!has_setting(settings)) throw UsageError("why needs --step or --tol, or --rtol and --atol");
   const Entrant& entrant = find_entrant(c.entrants, c.id, options.solver);
@@ -86,7 +85,7 @@ int why_on(const WhyOptions& options, const CLI::App& command) {
   const advise::Why why =
       advise::why(c, entrant.info.id(), request,
                   std::max(least * options.seconds, options.seconds - seconds_since(start)),
-                  conditions_of(options.what, options.problems, c));
+                  cases::conditions_of(c));
   const advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
   print(options.format == "json" ? advise::json_of(why, c, asked).dump(2) + "\n"
                                  : advise::text_of(why, c, asked));
@@ -96,7 +95,7 @@ int why_on(const WhyOptions& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_why(CLI::App& app, int& result) {
+void add_why(CLI::App& app, Session& session, int& result) {
   const auto options = std::make_shared<WhyOptions>();
   CLI::App* command = app.add_subcommand(
       "why", "what a run spends its steps on, why it failed or crawls, and what does better");
@@ -113,7 +112,8 @@ void add_why(CLI::App& app, int& result) {
       ->check(CLI::IsMember({"text", "json"}));
   add_option(*command, "--out DIR", options->out,
              "folder for the files: index.html, why.csv, why.json, trajectory.csv, ...");
-  command->callback([options, command, &result] { result = why_on(*options, *command); });
+  command->callback(
+      [options, command, &session, &result] { result = why_on(session, *options, *command); });
 }
 
 }  // namespace odeum::cli

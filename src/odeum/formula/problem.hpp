@@ -70,6 +70,7 @@ Problem read_problem(const std::string& file, const std::string& text,
                      const Overrides& overrides = {}, Parameters kind = Parameters::numbers);
 /// The text of a problem file. Throws InputError for a file that cannot be read or is too large.
 std::string problem_text(const std::string& file);
+inline constexpr std::size_t most_problem_bytes = 8'000'000;
 
 /// Whether the text is a YAML mapping with a key that problem files have and scenes have not.
 bool looks_like_problem(const std::string& file, const std::string& text);

@@ -176,8 +176,7 @@ Problem read_problem(const std::string& file, const std::string& text, const Ove
 }
 
 std::string problem_text(const std::string& file) {
-  constexpr std::size_t most_bytes = 8'000'000;
-  return read_text_file(file, "problem", most_bytes);
+  return read_text_file(file, "problem", most_problem_bytes);
 }
 
 bool looks_like_problem(const std::string& file, const std::string& text) {

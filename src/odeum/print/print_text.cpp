@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "odeum/formula/cache.hpp"
 #include "odeum/formula/case_section.hpp"
 #include "odeum/print/print_problem.hpp"
 
@@ -63,14 +64,16 @@ Printed print_text(const std::string& file, const std::string& text) {
           stem,
           print_struct(type_name(stem), problem, analysis,
                        formula::CaseSection(file, text).offers())),
-      fmt::format("// Printed from cases/{0}.yaml.\n#include \"problems/{0}.hpp\"\n\n"
-                  "#include \"odeum/cases/printed_text.hpp\"\n"
-                  "#include \"odeum/cases/set_problem.hpp\"\n\nnamespace odeum::cases {{\n"
-                  "PrintedText printed_{0}() {{\n"
-                  "  return {{{{{1}}}, []([[maybe_unused]] const double* values, Case& c) {{\n"
-                  "            const {2} problem{{{3}}};\n"
-                  "            set_problem(c, problem);\n{4}          }}}};\n}}\n}}\n",
-                  stem, names, type_name(stem), fields, invariants)};
+      fmt::format(
+          "// Printed from cases/{0}.yaml.\n#include \"problems/{0}.hpp\"\n\n"
+          "#include \"odeum/cases/printed_text.hpp\"\n"
+          "#include \"odeum/cases/set_problem.hpp\"\n\nnamespace odeum::cases {{\n"
+          "PrintedText printed_{0}() {{\n"
+          "  return {{{{{1}}}, []([[maybe_unused]] const double* values, Case& c) {{\n"
+          "            const {2} problem{{{3}}};\n"
+          "            set_problem(c, problem);\n{4}          }},\n          \"{5}\"}};\n}}\n}}\n",
+          stem, names, type_name(stem), fields, invariants,
+          formula::content_key(formula::code_of_problem(file, text)))};
 }
 
 }  // namespace odeum::print

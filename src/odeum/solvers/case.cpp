@@ -12,6 +12,10 @@ Case& Case::operator=(const Case&) = default;
 Case& Case::operator=(Case&&) noexcept = default;
 Case::~Case() = default;
 
+void complete(Case& c) {
+  if (const auto compute = std::exchange(c.compute_truth, {})) compute(c);
+}
+
 std::vector<std::string> component_names(const Case& c) {
   if (!c.components.empty()) return c.components;
   const bool second_order = c.problem.view.second_order();

@@ -16,6 +16,10 @@
 
 namespace odeum {
 
+namespace cases {
+struct TextSource;
+}
+
 /// The independent reference: the exact state at a time.
 struct Truth {
   /// Fills the state at t, infinite past the end of the solution (a pole); false: not known.
@@ -129,6 +133,11 @@ struct Case {
   /// a new case: on `samples` its problems were found to be those of with_values. None: they are
   /// not. Empty: there is no such function.
   std::function<std::optional<Family>(const std::vector<std::vector<double>>& samples)> family;
+  /// Computes the truth where that takes long, and sets what follows from it: the stops at which it
+  /// is known, the settings of studies, facts. Empty: that is done, see complete().
+  std::function<void(Case&)> compute_truth;
+  /// The text that states the case; null: none does.
+  std::shared_ptr<const cases::TextSource> text;
   ErasedContest problem;                            ///< on which the entrants are enrolled
   std::shared_ptr<const ExtendedProblem> extended;  ///< null: none
 
@@ -156,6 +165,11 @@ struct Case {
   }
   bool has_tag(const std::string& tag) const { return std::ranges::find(tags, tag) != tags.end(); }
 };
+
+/// Computes the truth of a case that was made before it, under the deadline of the thread
+/// (truth::Deadline); nothing where it is there. Throws InputError for a statement that the truth
+/// contradicts (an invariant that is not kept).
+void complete(Case& c);
 
 /// The case's own names of its components, or y0, y1, ...; of second-order problems q0, ..., v0,
 /// ...

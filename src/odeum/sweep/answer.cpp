@@ -78,6 +78,7 @@ Joined join(const std::vector<Plan>& plans, std::vector<Result> results) {
   const std::size_t solvers = plans.size(), quantities = plans.front().quantities.size();
   std::vector<double> values(all.result.results.size() * solvers);
   all.plan.quantities.clear();
+  std::vector<std::vector<record::Cell>> over_time;
   for (std::size_t s = 0; s < solvers; ++s) {
     const Result& one = s == 0 ? all.result : results[s];
     for (std::size_t q = 0; q < quantities; ++q) {
@@ -86,9 +87,14 @@ Joined join(const std::vector<Plan>& plans, std::vector<Result> results) {
       for (std::size_t member = 0; member < one.size; ++member)
         values[(member * solvers + s) * quantities + q] = one.results[member * quantities + q];
     }
+    for (std::vector<record::Cell> row : one.over_time.rows) {
+      row[1] = std::get<std::string>(row[1]) + ", " + plans[s].solver;
+      over_time.push_back(std::move(row));
+    }
     if (s > 0) all.result.csv += one.csv.substr(one.csv.find('\n') + 1);
   }
   all.result.results = std::move(values);
+  all.result.over_time.rows = std::move(over_time);
   return all;
 }
 
@@ -124,7 +130,7 @@ nlohmann::ordered_json json_of(const Plan& plan, const Result& result, const Ask
   }
   json["seconds"] = result.seconds;
   json["threads"] = plan.jobs;
-  json["evaluations"] = result.evaluations;
+  json["rhs_evaluations"] = result.evaluations;
   return json;
 }
 

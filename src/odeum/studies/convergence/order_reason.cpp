@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "odeum/linear/dense_limit.hpp"
+
 namespace odeum::study {
 namespace {
 
@@ -45,11 +47,11 @@ NoOrder why_failed(const std::string& status) {
   return NoOrder::few_solved;
 }
 
-void explain_failure(const Rows& rows, OrderFit& fit) {
+void explain_failure(const Pair& pair, const Rows& rows, OrderFit& fit) {
   const auto other = std::ranges::find_if_not(rows, over_budget);
   if (other == rows.end()) {
-    // Over any budget, so that it did not begin: see dense_over_budget().
-    const bool begun = !rows.front()->detail.starts_with("needs a dense Jacobian");
+    // One over any budget did not begin.
+    const bool begun = rows.front()->detail != dense_over_budget(pair.c->y0.size()).detail;
     fit.verdict = begun ? Verdict::over_budget : Verdict::not_applicable;
     fit.why = begun ? NoOrder::over_budget : NoOrder::none;
     fit.reason = begun ? "no run was solved within the budget: " : "";
@@ -126,7 +128,7 @@ double claimed_order(const Pair& pair) {
 
 void explain(const Pair& pair, const Rows& rows, const Foreseen& foreseen, OrderFit& fit) {
   if (fit.verdict == Verdict::failed) {
-    explain_failure(rows, fit);
+    explain_failure(pair, rows, fit);
   } else if (fit.verdict == Verdict::undetermined) {
     add_cost(pair, rows, foreseen, fit);
   } else if (fit.verdict == Verdict::not_applicable) {

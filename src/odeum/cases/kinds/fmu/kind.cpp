@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/kinds/kind.hpp"
+
+#include "odeum/cases/foreign_case.hpp"
+#include "odeum/solvers/runtime_library.hpp"
+
+namespace odeum::cases {
+namespace {
+
+ReadProblem read_fmu(const Named& named, const Given& given) {
+  foreign::ProblemCallbacks model = open_fmu(named.word(), given.set);
+  model.id = given.id;
+  std::string content = model.content;
+  return {{foreign_statement(std::move(model))}, std::move(content)};
+}
+
+}  // namespace
+
+Kind fmu_kind() {
+  return {"problem", "_fmu", false,
+          [](const Named& named) { return named.word().ends_with(".fmu"); }, read_fmu};
+}
+
+}  // namespace odeum::cases
