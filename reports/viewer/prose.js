@@ -89,7 +89,8 @@
       pending = [];
     };
     const waiting = [];
-    for (const piece of piecesOf(text)) {
+    // Comments on lines of their own are for the programs that write a document's tables.
+    for (const piece of piecesOf(text.replace(/^<!--.*-->$/gm, ''))) {
       if (!piece.kind) {
         const level = (/^(#+) /.exec(piece.text) || ['', ''])[1].length;
         if (hidden && (!level || level > hidden)) continue;

@@ -12,7 +12,7 @@ include(CMakePackageConfigHelpers)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 file(GLOB odeum_documents CONFIGURE_DEPENDS reports/*.md)
 install(FILES ${odeum_documents} DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports)
-install(DIRECTORY reports/findings reports/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports)
+install(DIRECTORY reports/findings reports/docs reports/measured DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports)
 install(DIRECTORY cases/scenes cases/tableaus cases/reference DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases)
 install(FILES ${ODEUM_CASE_TEXTS} DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases)
 install(DIRECTORY cases/problems DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases FILES_MATCHING PATTERN "*.yaml"

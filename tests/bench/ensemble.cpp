@@ -124,7 +124,7 @@ Row two_threads(const std::string& name, const State<P<double>>& start) {
   return compare(fmt::format("{}: two threads against one, wall time", name), 1.9, t[0], t[1]);
 }
 
-void print_rows(const Printed& out) {
+void print_rows(Printed& out) {
   const methods::rk4 rk4;
   const methods::dormand_prince54 pair;
   const methods::rodas4 rodas;
@@ -165,7 +165,8 @@ void print_rows(const Printed& out) {
 
 int main() {
   using namespace odeum;
-  const bench::Printed out;
+  bench::Printed out;
   out.machine();
   bench::print_rows(out);
+  out.end();
 }

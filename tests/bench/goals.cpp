@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
       return 2;
     }
   const double before = odeum::study::calibration_ns();
-  const Printed out;
+  Printed out;
   out.machine();
   for (const Group& group : groups) {
     if (argc > 1 && std::none_of(argv + 1, argv + argc,
@@ -55,7 +55,5 @@ int main(int argc, char** argv) {
     out.title(group.title);
     for (const Row& row : group.rows()) out.row(row);
   }
-  const double drift = odeum::study::calibration_ns() / before - 1;
-  fmt::print("\nThe machine's speed changed by {:+.1f} % from the first row to the last{}.\n",
-             100 * drift, std::abs(drift) > 0.05 ? ": take the figures with care" : "");
+  out.end(odeum::study::calibration_ns() / before - 1);
 }

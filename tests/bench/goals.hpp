@@ -2,7 +2,9 @@
 #pragma once
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The table of speed goals: each row one comparison, measured on this machine.
@@ -46,17 +48,22 @@ std::vector<Timing> interleave(const std::vector<std::function<void()>>& rivals,
 Row compare(std::string what, double goal, const Timing& ours, const Timing& theirs,
             std::string note = {});
 
-/// Prints tables row by row, as they are measured: for a terminal, or as Markdown where
-/// ODEUM_BENCH_PAGE is set, by which scripts/bench says what it runs for a page.
+/// Prints tables row by row, as they are measured, for a terminal; or all at the end, as rows of
+/// reports/measured/speed.csv, where ODEUM_BENCH_ROWS is set, as scripts/bench does.
 class Printed {
  public:
   /// Processor, instruction set, compiler, load, date.
-  void machine() const;
-  void title(const std::string& text) const;
-  void row(const Row& row) const;
+  void machine();
+  void title(const std::string& text);
+  void row(const Row& row);
+  /// The change of the machine's own speed since machine(), as a fraction; NaN: not measured.
+  void end(double drift = std::numeric_limits<double>::quiet_NaN());
 
  private:
-  const char* page_ = std::getenv("ODEUM_BENCH_PAGE");
+  bool as_rows_ = std::getenv("ODEUM_BENCH_ROWS") != nullptr;
+  std::string title_{}, date_{};
+  double load_ = 0;  ///< of the machine when it began
+  std::vector<std::pair<std::string, Row>> rows_{};
 };
 
 std::vector<Row> cloth_kernel_rows();
@@ -72,6 +79,8 @@ std::vector<Row> sparse_rows();
 std::vector<Row> fem_rows();
 std::vector<Row> cloth_multigrid_rows();
 
+/// The vectors that the program is compiled for, as AVX-512.
+std::string compiled_for();
 /// A number of a table with three digits; - where there is none.
 std::string three_digits(double number, const std::string& unit = "");
 

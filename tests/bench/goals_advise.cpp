@@ -164,13 +164,12 @@ bool is_stiff(const Case& c) {
 }
 
 Regret regret_of(const Case& c, double error) {
-  Regret regret{fmt::format("{} at {:g}", c.id, error)};
+  Regret regret{.case_id = c.id, .error = error};
   advise::Wishes wishes;
   wishes.error = error;
   const advise::Advice advice = advise::advise({&c}, wishes);
   regret.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wishes.start).count();
-  regret.error = error;
   regret.states = c.y0.size();
   regret.scene = c.has_tag("scene");
   regret.stiff = is_stiff(c);
@@ -200,10 +199,10 @@ Regret regret_of(const Case& c, double error) {
   if (advice.failure.empty()) {
     regret.advised = least.back() / best;
     const std::size_t first = std::min_element(least.begin(), least.end()) - least.begin();
-    regret.text = fmt::format("{} against {}, {:.3g} us", timed.back().entrant->info.id(),
-                              timed[first].entrant->info.id(), 1e-3 * best);
+    regret.advised_id = timed.back().entrant->info.id();
+    regret.best_id = timed[first].entrant->info.id();
   } else {
-    regret.text = advice.failure;
+    regret.failure = advice.failure;
   }
   return regret;
 }
@@ -219,7 +218,7 @@ const Case* case_or_scene(const std::string& id) {
         return &add_user_case(cases::scene_statement(
             id, id + ".yaml", content, scene::read_scene(id + ".yaml", content, options).scene));
       } catch (const InputError& error) {
-        fmt::print("  {}: {}\n", id, error.what());
+        fmt::print(stderr, "  {}: {}\n", id, error.what());
         return nullptr;
       }
     }
@@ -238,9 +237,8 @@ void ask(const std::string& id, std::vector<Regret>& all, std::size_t& unanswere
       ++unanswered;
       continue;
     }
-    fmt::print("  {:<40} {:>8.3f} of the best, {:.2f} of the error, {:.0f} s  {}\n",
-               regret.question, regret.advised, regret.kept, regret.seconds, regret.text);
-    std::fflush(stdout);
+    fmt::print(stderr, "  {:<40} {:>8.3f} of the best, {:.2f} of the error, {:.0f} s  {}\n",
+               regret.question(), regret.advised, regret.kept, regret.seconds, regret.text());
     const bool last = regret.best_ns > very_dear_ns;
     all.push_back(std::move(regret));
     if (last) break;
@@ -276,6 +274,7 @@ std::vector<Row> advise_rows() {
       break;
     }
   }
+  if (const char* file = std::getenv("ODEUM_REGRET_ROWS")) write_regret(all, file);
   return regret_rows(all, unanswered);
 }
 

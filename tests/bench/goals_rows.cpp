@@ -12,6 +12,7 @@
 #include "goals.hpp"
 #include "odeum/core/clocks.hpp"
 #include "odeum/core/machine.hpp"
+#include "odeum/record/csv.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::bench {
@@ -71,6 +72,8 @@ Row compare(std::string what, double goal, const Timing& ours, const Timing& the
           .note = std::move(note)};
 }
 
+std::string compiled_for() { return instruction_set; }
+
 std::string three_digits(double number, const std::string& unit) {
   if (std::isnan(number)) return "-";
   // Numbers of four digits and more have no exponent.
@@ -87,34 +90,62 @@ std::string Row::verdict() const {
   return fmt::format("NOT MET: {:.2f} of it", measured / goal);
 }
 
-void Printed::machine() const {
-  if (!page_) return fmt::print("{}, compiled for {}\n", cpu_model(), instruction_set);
-  double load = 0;
-  std::ifstream("/proc/loadavg") >> load;
-  fmt::print("{}, {}: {}, {} processors, load {:.1f} when it began; compiled for {} by {} {}.\n",
-             page_, utc_text(std::chrono::system_clock::now()).substr(0, 10), cpu_model(),
-             std::thread::hardware_concurrency(), load, instruction_set, compiler_name,
-             compiler_version);
-  std::fflush(stdout);
+void Printed::machine() {
+  std::ifstream("/proc/loadavg") >> load_;
+  date_ = utc_text(std::chrono::system_clock::now()).substr(0, 10);
+  if (!as_rows_) fmt::print("{}, compiled for {}\n", cpu_model(), instruction_set);
 }
 
-void Printed::title(const std::string& text) const {
-  if (page_)
-    fmt::print("\n| {} | goal | measured | interval | | |\n|---|---|---|---|---|---|\n", text);
-  else
+void Printed::title(const std::string& text) {
+  title_ = text;
+  if (!as_rows_)
     fmt::print("\n{:<66} {:>10} {:>10} {:<16}\n", text, "goal", "measured", "interval");
 }
 
-void Printed::row(const Row& row) const {
+void Printed::row(const Row& row) {
+  rows_.emplace_back(title_, row);
+  if (as_rows_) return;
   const std::string goal =
       std::isnan(row.goal) ? "" : (row.at_most ? "<= " : ">= ") + three_digits(row.goal, row.unit);
   const std::string interval =
       row.low > 0 ? fmt::format("{} to {}", three_digits(row.low), three_digits(row.high)) : "";
-  constexpr const char* forms[] = {"{:<66} {:>10} {:>10} {:<16} {:<22} {}\n",
-                                   "| {} | {} | {} | {} | {} | {} |\n"};
-  fmt::print(fmt::runtime(forms[page_ ? 1 : 0]), row.what, goal,
+  fmt::print("{:<66} {:>10} {:>10} {:<16} {:<22} {}\n", row.what, goal,
              three_digits(row.measured, row.unit), interval, row.verdict(), row.note);
   std::fflush(stdout);
+}
+
+void Printed::end(double drift) {
+  if (!as_rows_) {
+    if (!std::isnan(drift))
+      fmt::print("\nThe machine's speed changed by {:+.1f} % from the first row to the last{}.\n",
+                 100 * drift, std::abs(drift) > 0.05 ? ": take the figures with care" : "");
+    return;
+  }
+  record::Records table{{"instruction_set", "table", "what", "bound", "goal", "measured", "unit",
+                         "low", "high", "verdict", "note", "date", "processor", "processors",
+                         "load", "compiler", "drift"}};
+  for (const auto& [title, row] : rows_) {
+    const bool judged = !std::isnan(row.goal), interval = row.low > 0;
+    const std::string word = row.disturbed              ? "disturbed"
+                             : !judged                  ? ""
+                             : std::isnan(row.measured) ? "not_measured"
+                             : row.met()                ? "met"
+                                                        : "missed";
+    const std::size_t unit = row.unit.find_first_not_of(' ');
+    table.rows.push_back({compiled_for(), title, row.what,
+                          std::string(!judged       ? ""
+                                      : row.at_most ? "at_most"
+                                                    : "at_least"),
+                          judged ? three_digits(row.goal) : "",
+                          std::isnan(row.measured) ? "nan" : three_digits(row.measured),
+                          unit == std::string::npos ? "" : row.unit.substr(unit),
+                          interval ? three_digits(row.low) : "",
+                          interval ? three_digits(row.high) : "", word, row.note, date_,
+                          cpu_model(), static_cast<double>(std::thread::hardware_concurrency()),
+                          load_, fmt::format("{} {}", compiler_name, compiler_version),
+                          std::isnan(drift) ? "" : fmt::format("{:.3f}", drift)});
+  }
+  fmt::print("{}", table.csv());
 }
 
 }  // namespace odeum::bench

@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <fstream>
 #include <functional>
 
 #include "odeum/core/interrupt.hpp"
+#include "odeum/core/machine.hpp"
+#include "odeum/record/csv.hpp"
 
 namespace odeum::bench {
 namespace {
@@ -77,6 +81,25 @@ std::string single_best(const std::vector<Regret>& all) {
 
 }  // namespace
 
+std::string Regret::question() const { return fmt::format("{} at {:g}", case_id, error); }
+
+std::string Regret::text() const {
+  if (!failure.empty()) return failure;
+  return fmt::format("{} against {}, {:.3g} us", advised_id, best_id, 1e-3 * best_ns);
+}
+
+void write_regret(const std::vector<Regret>& all, const std::string& file) {
+  record::Records table{{"case", "error_asked", "regret", "error_over_asked", "seconds", "advised",
+                         "best", "best_us", "date", "processor", "instruction_set"}};
+  const std::string date = utc_text(std::chrono::system_clock::now()).substr(0, 10);
+  for (const Regret& each : all)
+    table.rows.push_back({each.case_id, each.error, fmt::format("{:.3f}", each.advised),
+                          fmt::format("{:.2f}", each.kept), fmt::format("{:.0f}", each.seconds),
+                          each.advised_id, each.best_id, fmt::format("{:.3g}", 1e-3 * each.best_ns),
+                          date, cpu_model(), compiled_for()});
+  std::ofstream(file) << table.csv();
+}
+
 std::vector<Row> regret_rows(const std::vector<Regret>& all, std::size_t unanswered) {
   if (all.empty()) return {};
   std::vector<double> advised, kept;
@@ -95,7 +118,8 @@ std::vector<Row> regret_rows(const std::vector<Regret>& all, std::size_t unanswe
              fmt::format("{} more that nobody here answers{}", unanswered,
                          interrupted ? "; interrupted before all were asked" : "")),
       row_of("regret of advise, nine of ten", advised, 0.9, 1.2),
-      row_of("regret of advise, the worst", advised, 1, 1.5, worst->question + ": " + worst->text),
+      row_of("regret of advise, the worst", advised, 1, 1.5,
+             worst->question() + ": " + worst->text()),
       {.what = "share that keeps the error asked", .goal = 0.99, .measured = share, .unit = ""}};
   const std::string best = single_best(all);
   for (const Policy& policy : policies(best)) {

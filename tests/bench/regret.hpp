@@ -12,17 +12,25 @@ namespace odeum::bench {
 
 /// Of the advice for one question, a case and an error.
 struct Regret {
-  std::string question;
+  std::string case_id{};
+  double error = 0;           ///< asked
   double advised = infinity;  ///< over the best; infinite without an answer
   double kept = nan;          ///< error over that asked
   double seconds = 0;         ///< that the advice took
   double best_ns = nan;       ///< time of the best run
   bool stiff = false, scene = false;
-  double error = 0;  ///< asked
   std::size_t states = 0;
   std::map<std::string, double> others{};  ///< of each solver that has the error
-  std::string text{};
+  std::string advised_id{}, best_id{};
+  std::string failure{};  ///< why there is no answer
+
+  std::string question() const;
+  /// The solver advised, the best one and its time; or why there is no answer.
+  std::string text() const;
 };
+
+/// Writes the questions as rows of reports/measured/regret.csv.
+void write_regret(const std::vector<Regret>& all, const std::string& file);
 
 /// Of all of them, and beside it of what is done without a measurement. `unanswered`: questions
 /// that no solver has the error of.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -152,22 +153,74 @@ TEST(Documents, FilesInCommentsExist) {
   EXPECT_GE(paths, 100U) << "the comments were not read";
 }
 
-// All that was measured stands between the two comments of a table, which scripts/bench writes.
-TEST(Documents, SpeedHasNoNumberTypedByHand) {
-  std::string text = text_of(root / "reports/speed.md");
-  const std::string open = "<!-- scripts/bench ", close = "<!-- end -->";
-  std::size_t tables = 0;
+/// The text without the tables that scripts/measured makes, which are counted in `tables`.
+std::string without_measured(std::string text, std::size_t& tables) {
+  const std::string open = "<!-- measured ", close = "<!-- end -->";
   for (std::size_t from = text.find(open); from != std::string::npos; from = text.find(open)) {
     const std::size_t to = text.find(close, from);
-    ASSERT_NE(to, std::string::npos) << text.substr(from, 60) << " has no end";
+    if (to == std::string::npos) ADD_FAILURE() << text.substr(from, 60) << " has no end";
     EXPECT_EQ(text.find(open, from + 1), text.find(open, to)) << "a table within another";
+    if (to == std::string::npos) break;
     text.erase(from, to + close.size() - from);
     ++tables;
   }
-  EXPECT_GE(tables, 20U);
+  return text;
+}
+
+// The data are the one place of a measured time: a number typed beside them would stay as it is.
+TEST(Documents, SpeedHasNoNumberTypedByHand) {
+  std::size_t tables = 0;
+  const std::string text = without_measured(text_of(root / "reports/speed.md"), tables);
+  EXPECT_EQ(tables, 1U);
   static const std::regex number(
       "(\\d+\\.\\d+|\\d+ ?(?:%|ns|us|ms|s|kB|MB|times|x)(?![a-z0-9_-])(?! \\d))");
   for (const std::string& each : all_matches(text, number)) ADD_FAILURE() << each;
+}
+
+// A group without its revision, date and processor, or a group that is gone, is no measurement.
+TEST(Documents, SpeedSaysWhereEachGroupWasMeasured) {
+  std::istringstream rows(text_of(root / "reports/measured/speed.csv"));
+  static const std::regex place(
+      "1,([a-z]+,[A-Z0-9-]*),.*scripts/bench "
+      "[^,]+,[0-9a-f]{7,},\\d{4}-\\d\\d-\\d\\d,[^,]+,\\d+,.*");
+  std::set<std::string> groups;
+  std::string line;
+  std::getline(rows, line);
+  while (std::getline(rows, line)) {
+    std::smatch match;
+    EXPECT_TRUE(std::regex_match(line, match, place)) << line;
+    if (!match.empty()) groups.insert(match[1]);
+  }
+  EXPECT_GE(groups.size(), 20U);
+}
+
+// People read all of it but the reference, which a program writes and nobody reads from top to
+// bottom.
+TEST(Documents, AreShortEnoughToRead) {
+  constexpr std::size_t most = 36'000;
+  std::map<std::string, std::size_t> counts;
+  const auto count = [&](const fs::directory_entry& entry) {
+    const std::string file = entry.path().lexically_relative(root).string();
+    if (entry.path().extension() != ".md" || file.starts_with("reports/out") ||
+        file == "reports/docs/reference.md")
+      return;
+    std::istringstream words(text_of(entry.path()));
+    counts[file] =
+        static_cast<std::size_t>(std::distance(std::istream_iterator<std::string>(words), {}));
+  };
+  for (const fs::directory_entry& entry : fs::directory_iterator(root)) count(entry);
+  for (const char* folder : {"reports", "cases"})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder))
+      count(entry);
+  std::size_t all = 0;
+  std::string list;
+  for (const auto& [file, words] : counts) {
+    all += words;
+    list += '\n' + std::to_string(words) + ' ' + file;
+  }
+  EXPECT_GE(counts.size(), 20U) << "the documents were not read";
+  EXPECT_LE(all, most) << all << " words, of which people should read " << most
+                       << " at most; data go to reports/measured:" << list;
 }
 
 }  // namespace

@@ -55,6 +55,15 @@ const checks = {
       hold((await text('.answer')).startsWith(`${best.library}/${best.solver} reaches`), `${error}: ${await text('.answer')} does not begin with ${best.solver}`);
     }
   },
+  async 'a document shows its tables, and no comment of the programs that write them'() {
+    for (const name of facts.documents) {
+      await browser.go(`${address}#document?name=${name}`);
+      await browser.until(`document.querySelector('.prose h1')`);
+      hold(!(await text('body')).includes('<!--'), `${name} shows a comment`);
+    }
+    await browser.go(`${address}#document?name=speed`);
+    await browser.until(`document.querySelectorAll('.prose table.words tbody tr').length >= 10`);
+  },
   async 'every problem and error can be chosen, and says something'() {
     await browser.go(address);
     await drawn();

@@ -35,52 +35,52 @@ const Tuning tunings[] = {
     {"soft_body_links_stock", "4 sweeps", {{"sweeps", 4}}, false},
 };
 
+constexpr const char* documentation =
+    "Header btSoftBody.h: piterations is the number of iterations of the position solver, 1 by "
+    "default; the deformable world has its limits of iterations in btDeformableBodySolver. No "
+    "documentation recommends a number.";
+
 /// The error at the stops and the least processor time of three runs, in microseconds.
-std::string cell(const Case& c, const Entrant& entrant, const Tuning& tuning, std::uint64_t steps) {
+std::vector<record::Cell> measured(const Case& c, const Entrant& entrant, const Tuning& tuning,
+                                   std::uint64_t steps) {
   Request request;
   request.stops = c.stops;
   request.steps = steps * c.settings.steps_multiple;
   request.options = tuning.options;
   double least = std::numeric_limits<double>::infinity(), error = 0;
+  const std::string missing = "nan";
   for (int repetition = 0; repetition < 3; ++repetition) {
     const std::clock_t start = std::clock();
     const Outcome outcome = entrant.solve(request);
     least = std::min(least, 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    if (outcome.status != Status::ok) return to_string(outcome.status);
+    if (outcome.status != Status::ok) return {missing, missing};
     error = 0;
     for (const judge::StopError& stop : judge::Judge(c, request.stops).errors(outcome))
       error = std::max(error, stop.error_max);
   }
-  return fmt::format("{:.1e} in {:.0f}", error, least);
+  return {fmt::format("{:.1e}", error), fmt::format("{:.0f}", least)};
 }
 
 }  // namespace
 
-void write_bullet() {
+record::Records bullet_rows() {
   constexpr std::uint64_t steps[] = {20, 80, 320, 1280};
-  for (const Case& c : all_cases()) {
-    if (c.id != "cloth11_two_way") continue;
-    fmt::print("## Bullet: iterations on {}\n\n", c.id);
-    fmt::print(
-        "Header btSoftBody.h: piterations is the number of iterations of the position solver, 1 by "
-        "default; the deformable world has its limits of iterations in btDeformableBodySolver. No "
-        "documentation recommends a number; `odeum precision` runs 4 and 16 of them and 2 Newton "
-        "steps beside the defaults. Through the adapter, since the set-up of a cloth is "
-        "long. Largest error at the stops in m and m/s, and processor time in microseconds, set-up "
-        "included, by number of steps between two stops.\n\n| method | setting |");
-    for (const std::uint64_t n : steps) fmt::print(" {} |", n);
-    fmt::print(" |\n|---|---|---|---|---|---|---|\n");
-    for (const Tuning& tuning : tunings)
-      for (const Entrant& entrant : c.entrants) {
-        if (entrant.info.library != "bullet" || entrant.info.method != tuning.method) continue;
-        fmt::print("| {} | {} |", tuning.method, tuning.words);
-        for (const std::uint64_t n : steps)
-          fmt::print(" {} |", entrant.unfit.empty() ? cell(c, entrant, tuning, n) : "unfit");
-        fmt::print(" {} |\n", tuning.taken ? "taken" : "");
-        std::fflush(stdout);
+  record::Records table{{"method", "setting", "steps_between_stops", "error", "processor_us",
+                         "taken", "documentation"}};
+  const Case& c = known_case("cloth11_two_way");
+  for (const Tuning& tuning : tunings)
+    for (const Entrant& entrant : c.entrants) {
+      if (entrant.info.library != "bullet" || entrant.info.method != tuning.method) continue;
+      if (!entrant.unfit.empty()) continue;
+      for (const std::uint64_t n : steps) {
+        const std::vector<record::Cell> numbers = measured(c, entrant, tuning, n);
+        table.rows.push_back({std::string(tuning.method), std::string(tuning.words),
+                              static_cast<double>(n), numbers[0], numbers[1],
+                              std::string(tuning.taken ? "yes" : "no"),
+                              std::string(documentation)});
       }
-    fmt::print("\n");
-  }
+    }
+  return table;
 }
 
 }  // namespace odeum::peers

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes reports/peers.md to standard output: the settings that the documentation of each library
-// leaves open, measured over stiff cases with the library alone.
+// Writes reports/measured/peers.csv to standard output: the settings that the documentation of each
+// library leaves open, measured with the library alone; with the argument `bullet`
+// reports/measured/peers_bullet.csv.
 #include "bench/peers/peers.hpp"
 
 #include <fmt/format.h>
@@ -118,27 +119,21 @@ double ratio(const Costs& costs, const Costs& first) {
   return std::exp(sum / count);
 }
 
-/// `cited`: the documentation of the choice before, which is not printed again.
-void write(const Choice& choice, const std::vector<const Case*>& cases, std::string& cited) {
-  fmt::print("## {}: {}\n\n", choice.solver, choice.choice);
-  if (choice.documentation != cited) fmt::print("{}\n\n", choice.documentation);
-  cited = choice.documentation;
-  fmt::print(
-      "| setting | solved | steps | evaluations | errors reached | evaluations to them | time to "
-      "them | |\n");
-  fmt::print("|---|---|---|---|---|---|---|---|\n");
+void add_rows(record::Records& table, const Choice& choice, const std::vector<const Case*>& cases) {
   Sums first;
   for (const Alternative& alternative : choice.alternatives) {
     const Sums sums = measure(alternative, cases);
     if (&alternative == &choice.alternatives.front()) first = sums;
-    fmt::print("| {} | {} of {} | {} | {} | {} of {} | {:.2f} | {:.2f} | {} |\n",
-               alternative.setting, sums.solved, sums.runs, sums.steps, sums.evaluations,
-               sums.time_to.size(), cases.size() * std::size(wanted_errors),
-               ratio(sums.evaluations_to, first.evaluations_to), ratio(sums.time_to, first.time_to),
-               alternative.taken ? "taken" : "");
-    std::fflush(stdout);
+    const auto number = [](auto value) { return static_cast<double>(value); };
+    table.rows.push_back({choice.solver, choice.choice, alternative.setting, number(sums.solved),
+                          number(sums.runs), number(sums.steps), number(sums.evaluations),
+                          number(sums.time_to.size()),
+                          number(cases.size() * std::size(wanted_errors)),
+                          fmt::format("{:.2f}", ratio(sums.evaluations_to, first.evaluations_to)),
+                          fmt::format("{:.2f}", ratio(sums.time_to, first.time_to)),
+                          std::string(alternative.taken ? "yes" : "no"), choice.documentation});
+    fmt::print(stderr, ".");
   }
-  fmt::print("\n");
 }
 
 std::vector<const Case*> cases_of(std::initializer_list<const char*> ids) {
@@ -146,52 +141,27 @@ std::vector<const Case*> cases_of(std::initializer_list<const char*> ids) {
   for (const char* id : ids) cases.push_back(&known_case(id));
   return cases;
 }
-std::string names_of(const std::vector<const Case*>& cases) {
-  std::string names;
-  for (const Case* c : cases) names += (names.empty() ? "" : " ") + c->id;
-  return names;
-}
-
-constexpr const char* introduction =
-    R"(# Settings of the peers
-
-What the documentation of each library leaves to its user, the alternatives measured with the library
-alone, and the one that the adapter takes; `odeum_peers` (tests/bench/peers) writes this file.
-
-Implicit methods run on the cases {}; explicit ones on {}. Tolerances, relative and absolute, go from 1e-3
-to 1e-9. A run is solved where the library reports success within 100,000 evaluations and the error at the
-horizon is below a tenth of the largest component. Steps and evaluations are sums over the solved runs.
-Errors reached are those of 1e-2, 1e-4 and 1e-6 in each case, at any tolerance. Evaluations and processor
-time to these errors are the least, on the line between two tolerances in logarithms, as a geometric mean
-relative to the first row over what both reach.
-
-Times are processor times of SUNDIALS built by `scripts/sundials` and Debian's GSL with other programs
-running: ratios of them below 1.1 say nothing. Runs on Robertson's reactions may drift away by
-their last digits (reports/findings/sundials.md): three errors more or less are that. A citation holds for the
-sections after it up to the next one.
-
-Each library solves each case that it fits to a hundredth (test `Agreement.NoLibraryFailsACaseUnexplained`), but for
-blow_up, whose solution ends at a pole. GSL and odeint have dense Jacobians alone, formed up to 128 unknowns here: they
-solve brusselator_1d and medakzo by explicit methods, which `odeum precision` runs beyond the budget of the others
-(302,628 and 61,995 evaluations by rk2 of GSL, 425,390 and 94,964 by odeint's Cash and Karp, to 1e-3).
-
-)";
 
 }  // namespace
 }  // namespace odeum::peers
 
-int main() {
+int main(int argc, char** argv) {
   using namespace odeum;
   using peers::Choice;
   const auto stiff = peers::cases_of(
       {"robertson_40", "robertson", "vdp_mu1000", "vdp_eps1e_6", "hires", "oregonator"});
   const auto smooth = peers::cases_of({"kepler_e06", "lotka_volterra", "arenstorf", "pleiades",
                                        "brusselator2", "henon_heiles_regular"});
-  fmt::print(fmt::runtime(peers::introduction), peers::names_of(stiff), peers::names_of(smooth));
-  std::string cited;
+  if (argc > 1 && std::string(argv[1]) == "bullet") {
+    fmt::print("{}", peers::bullet_rows().csv());
+    return 0;
+  }
+  record::Records table{{"solver", "choice", "setting", "solved", "runs", "steps", "evaluations",
+                         "errors_reached", "errors", "evaluations_to_errors", "time_to_errors",
+                         "taken", "documentation"}};
   for (const auto& choices :
        {peers::sundials_choices(), peers::gsl_choices(), peers::odeint_choices()})
     for (const Choice& choice : choices)
-      peers::write(choice, choice.smooth ? smooth : stiff, cited);
-  peers::write_bullet();
+      peers::add_rows(table, choice, choice.smooth ? smooth : stiff);
+  fmt::print("{}", table.csv());
 }

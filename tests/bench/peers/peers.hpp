@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "odeum/record/csv.hpp"
 #include "odeum/solvers/case.hpp"
 
-/// Settings of the peers, measured with the libraries alone: reports/peers.md.
+/// Settings of the peers, measured with the libraries alone, see reports/peers.md.
 namespace odeum::peers {
 
 struct Run {
@@ -44,7 +45,7 @@ struct Choice {
 std::vector<Choice> sundials_choices();
 std::vector<Choice> gsl_choices();
 std::vector<Choice> odeint_choices();
-/// Writes the part on Bullet, which runs scenes at fixed steps; nothing where it is not built.
-void write_bullet();
+/// The rows on Bullet, which runs scenes at fixed steps; none where it is not built.
+record::Records bullet_rows();
 
 }  // namespace odeum::peers
