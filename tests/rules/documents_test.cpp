@@ -27,6 +27,7 @@ std::vector<fs::path> documents() {
                                 root / "reports",
                                 root / "reports/docs",
                                 root / "reports/findings",
+                                root / "reports/measured",
                                 root / "cases/problems",
                                 root / "cases/scenes",
                                 root / "cases/tableaus"};
