@@ -109,5 +109,25 @@ TEST(Answer, CallsStabilityALimitOnlyWhereAnEigenvalueIsAtTheEdge) {
             std::string::npos);
 }
 
+// Twice the step is beyond the edge, and a step that is a tenth longer already misses the error.
+TEST(Answer, CallsAccuracyTheLimitWhereALittleLongerStepMissesTheError) {
+  const File dimer(
+      "parameters: {k: 1e6, kr: 0.1}\nstates: {A: 1e-6, D: 0}\n"
+      "equations: {A: -2*k*A^2 + 2*kr*D, D: k*A^2 - kr*D}\ntime: {end: 20}\n");
+  const Result result = shell("odeum advise " + dimer.word() + "--error 1e-5 --solver rk4");
+  EXPECT_EQ(lines_with(result.output, "limit     accuracy"), 1U) << result.output;
+  EXPECT_EQ(lines_with(result.output, "stops     t = 5, 10, 15, 20: the error is the largest"), 1U)
+      << result.output;
+}
+
+// Its right-hand side has a sign of the velocity alone, and was handed none.
+TEST(Answer, IsGivenForFrictionThatHasNoDerivative) {
+  const File block("states: {x: 0, v: 4}\nequations: {x: v, v: -1.962*sign(v)}\ntime: {end: 5}\n");
+  const Result result = shell("odeum advise " + block.word() +
+                              "--error 1e-4 --solver 'odeint/symplectic*' velocity_verlet rk4");
+  EXPECT_EQ(result.code, 1) << result.output;
+  EXPECT_EQ(result.output.find("no answer beyond t = "), 0U) << result.output;
+}
+
 }  // namespace
 }  // namespace odeum::answer_test

@@ -87,6 +87,13 @@ TEST(ProposedScale, LooksBetweenTheStops) {
   EXPECT_GT(judge::Judge(pulse, pulse.stops).scale(), 0.5);
 }
 
+// y = 1/(1 - t), and the truth is known up to 0.5. A coarse run passed the pole, with y = 8e12, so
+// that one step of Euler's method, which ends at 1.5, had an error of 6e-14.
+TEST(ProposedScale, IsNotThatOfACoarseRunBeyondAPole) {
+  const Case c = of_text("states: {y: 1}\nequations: {y: y^2}\ntime: {end: 2}\n");
+  EXPECT_TRUE(c.units.scale.empty()) << c.units.scale[0];
+}
+
 TEST(ProposedScale, IsOfEachStateBesideFarLargerOnes) {
   const Case trace = of_text(
       "parameters: {k1: 1e-3, k2: 5}\nstates: {A: 55000, X: 0, Y: 0}\n"

@@ -134,6 +134,10 @@ TEST(Structure, IsFound) {
   EXPECT_EQ(s.entries, 2U);
   s = structure("states: {q: 1, v: 0}\nequations: {q: v, v: -q - 0.1*v + sin(t)}");
   EXPECT_TRUE(s.second_order && s.velocity_dependent && s.linear && !s.autonomous);
+  // The sign of a velocity has no derivative: its acceleration was given no velocities, and read
+  // them.
+  s = structure("states: {q: 1, v: 0}\nequations: {q: v, v: -q - 0.2*sign(v)}");
+  EXPECT_TRUE(s.second_order && s.velocity_dependent);
   // Coefficients may depend on t: Mathieu's equation, and one of first order.
   s = structure("states: {q: 1, v: 0}\nequations: {q: v, v: -(1 - 0.4*cos(2*t))*q}");
   EXPECT_TRUE(s.linear && !s.autonomous && s.second_order);

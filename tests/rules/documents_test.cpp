@@ -27,6 +27,7 @@ std::vector<fs::path> documents() {
                                 root / "reports",
                                 root / "reports/docs",
                                 root / "reports/findings",
+                                root / "reports/measured",
                                 root / "cases/problems",
                                 root / "cases/scenes",
                                 root / "cases/tableaus"};
@@ -192,6 +193,21 @@ TEST(Documents, SpeedSaysWhereEachGroupWasMeasured) {
     if (!match.empty()) groups.insert(match[1]);
   }
   EXPECT_GE(groups.size(), 20U);
+}
+
+// What each day did is in the history; a user wants to know what a version brings.
+TEST(Documents, TheChangelogIsByVersion) {
+  static const std::regex heading("(?:^|\n)(#+ [^\n]+)"),
+      allowed("# Changelog|## \\d+\\.\\d+\\.\\d+, .+|### (Added|Changed|Fixed|Removed)");
+  const std::set<std::string> headings = all_matches(text_of(root / "CHANGELOG.md"), heading);
+  EXPECT_GE(headings.size(), 4U);
+  for (const std::string& each : headings) EXPECT_TRUE(std::regex_match(each, allowed)) << each;
+}
+
+TEST(Documents, TheReadmeHasNoNumberThatNobodyReads) {
+  static const std::regex digits("(\\d[\\d.]{9,}\\d)");
+  for (const std::string& each : all_matches(text_of(root / "README.md"), digits))
+    ADD_FAILURE() << each;
 }
 
 // People read all of it but the reference, which a program writes and nobody reads from top to

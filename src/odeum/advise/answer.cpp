@@ -153,6 +153,14 @@ std::string text_of_wishes(const Advice& advice, const Asked& asked) {
                                    point(least), work(*most), point(most)));
 }
 
+/// At which times the error is the largest of those measured: between them nothing is.
+std::string text_of_stops(const Case& c) {
+  constexpr std::size_t few = 8;
+  const std::size_t count = c.stops.size();
+  return count <= few ? fmt::format("t = {:g}", fmt::join(c.stops, ", "))
+                      : fmt::format("{} times up to t = {:g}", count, c.stops.back());
+}
+
 /// What `odeum run` says, where that is not the error of the answer.
 std::string text_of_run(const Advice& advice, const Case& c, const Asked& asked) {
   const Part& part = winner_of(advice).found->parts[winner_of(advice).found->worst()];
@@ -190,6 +198,8 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
                     advice.run_ns > 0
                         ? fmt::format(" of the {} given", text_of_ns(advice.wishes.time_ns))
                         : fmt::format("; the error is the largest at {:g} frames", advice.frames));
+  else
+    text += fmt::format("stops     {}: the error is the largest there\n", text_of_stops(c));
   text += text_of_absolutes(found, c);
   text += text_of_wishes(advice, asked);
   if (known_part(c)) text += fmt::format("truth     {}\n", words_of_truth(c));

@@ -15,7 +15,7 @@ nlohmann::ordered_json box_of(const Trial& found, const Asked& asked) {
   for (std::size_t k = 0; k < asked.points.size(); ++k)
     box.push_back({{"parameters", fmt::format("{}", fmt::join(asked.points[k], " "))},
                    {"error", found.parts[k].error},
-                   {"time_ns", found.parts[k].ns}});
+                   {"evaluations", found.parts[k].counters.rhs_evaluations}});
   return box;
 }
 

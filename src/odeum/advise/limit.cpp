@@ -44,17 +44,29 @@ double used_by_fixed_step(const Case& c, Region& region, double h) {
   return used;
 }
 
+/// The finest run that is coarser than the winner's and misses the error; null: none was made.
+const Trial* nearest_miss(const Advice& advice) {
+  const Candidate& winner = winner_of(advice);
+  const Trial* nearest = advice.coarser ? &*advice.coarser : nullptr;
+  for (const Trial& trial : winner.trials)
+    if (nearest && trial.fineness < winner.found->fineness && trial.fineness > nearest->fineness &&
+        trial.status != Status::over_budget && !trial.reaches(advice.wishes.error))
+      nearest = &trial;
+  return nearest;
+}
+
 std::string limit_of_fixed(const Advice& advice, const Case& c) {
   const Candidate& winner = winner_of(advice);
-  if (!advice.coarser) return advice.frames > 0 ? "frame" : "stops: no fewer steps end on them";
-  const Trial &found = *winner.found, &coarser = *advice.coarser;
+  const Trial* const coarser = nearest_miss(advice);
+  if (!coarser) return advice.frames > 0 ? "frame" : "stops: no fewer steps end on them";
+  const Trial& found = *winner.found;
   // Four times what the order explains.
-  const double ratio = found.fineness / coarser.fineness;
-  if (coarser.status == Status::ok &&
-      coarser.error <= 4 * std::pow(ratio, winner.slope()) * found.error)
+  const double ratio = found.fineness / coarser->fineness;
+  if (coarser->status == Status::ok &&
+      coarser->error <= 4 * std::pow(ratio, winner.slope()) * found.error)
     return "accuracy";
   Region region(winner.entrant->info.id());
-  const double used = used_by_fixed_step(c, region, step_of(coarser.request(), c.t0));
+  const double used = used_by_fixed_step(c, region, step_of(coarser->request(), c.t0));
   if (std::isnan(used))
     return "unknown: the coarser step has more error than its order explains, and no edge of "
            "stability is known";
@@ -85,9 +97,12 @@ std::string limit_of_adaptive(const Advice& advice, const Case& c) {
   if (coarser.status != Status::ok)
     return fmt::format("unknown: to ten times the tolerance the run ends {}",
                        to_string(coarser.status));
-  return fmt::format("unknown: ten times the tolerance takes {:g} steps in place of {:g}{}",
-                     steps(coarser), steps(found),
-                     known > 0 ? ", and no eigenvalue is near the edge of stability" : "");
+  const bool misses = advice.run_ns == 0 && !coarser.reaches(advice.wishes.error);
+  return fmt::format(
+      "{}: ten times the tolerance takes {:g} steps in place of {:g}{}{}",
+      misses ? "accuracy" : "unknown", steps(coarser), steps(found),
+      misses ? fmt::format(" and has {:.2g} times the error", coarser.error / found.error) : "",
+      known > 0 ? ", and no eigenvalue is near the edge of stability" : "");
 }
 
 /// Changes of the start, each of a millionth of the components' sizes.

@@ -26,7 +26,8 @@ void check_wishes(const Case& c, const Wishes& wishes) {
   const double least = rounding * std::abs(c.energy(moved.data()) - before);
   if (!(size > least) || (wishes.horizon > 0 && !(std::abs(before) > least)))
     throw std::invalid_argument(
-        "the energy is 0 at the start, so that no error can be relative to it");
+        "the energy is 0 at the start, so that no error can be relative to it: a constant that is "
+        "added to it gives it a size");
   if (wishes.horizon == 0) return;
   if (!(wishes.horizon >= c.stops.back()))
     throw std::invalid_argument(

@@ -73,7 +73,7 @@ bool has_infinite_slopes(const Graph& graph, const Problem& problem) {
   return false;
 }
 
-void find_second_order(const Problem& problem, const Analysis& analysis, Structure& s) {
+void find_second_order(const Problem& problem, Structure& s) {
   if (s.states % 2 != 0) return;
   const auto half = static_cast<std::uint32_t>(s.states / 2);
   bool in_order = true;
@@ -93,9 +93,11 @@ void find_second_order(const Problem& problem, const Analysis& analysis, Structu
         std::ranges::none_of(positions, [&](std::uint32_t k) { return velocities.contains(k); });
     return;
   }
-  for (std::uint32_t k = half; k < s.states; ++k)
-    for (const Entry& entry : analysis.jacobian[k])
-      s.velocity_dependent = s.velocity_dependent || entry.by >= half;
+  // By what stands in the forces: the sign of a velocity has no derivative.
+  const std::vector<Id> forces(problem.equations.begin() + half, problem.equations.end());
+  s.velocity_dependent = std::ranges::any_of(problem.graph.needed(forces), [&](Id id) {
+    return problem.graph[id].op == Op::state && problem.graph[id].index >= half;
+  });
 }
 
 void find_implicit_part(Problem& problem, Analysis& analysis) {
@@ -146,7 +148,7 @@ Analysis analyse(Problem& problem) {
                                       [&](Id id) { return graph[id].op == Op::time; });
   if (s.autonomous) analysis.time_derivative.clear();
   find_implicit_part(problem, analysis);
-  find_second_order(problem, analysis, s);
+  find_second_order(problem, s);
   if (s.smooth) {
     SeriesPlan plan = make_series_plan(graph, problem.equations);
     if (plan.steps.size() <= largest_series) analysis.series = std::move(plan);

@@ -22,6 +22,7 @@ struct Look {
   Real least_part = 0;  ///< see Effort: small components have no size but their own
   Watched seen{0};
   std::size_t reached = 0;  ///< times
+  bool ends = false;        ///< the solution does, there
 };
 
 Look look_by(const Look& how, const System& system, const std::vector<Real>& times, Real tolerance,
@@ -34,7 +35,9 @@ Look look_by(const Look& how, const System& system, const std::vector<Real>& tim
                       .parts = parts,
                       .watched = &look.seen,
                       .least_part = how.least_part};
-  look.reached = run_across(how.method, system, times, effort, false).states.size();
+  const Run run = run_across(how.method, system, times, effort, false);
+  look.reached = run.states.size();
+  look.ends = std::isfinite(run.ends_at);
   return look;
 }
 
@@ -62,8 +65,9 @@ Look settled(const System& system, const std::vector<Real>& times) {
     if (look.reached == 0) break;
     parts *= 2;
     Look finer = look_by(look, system, times, tolerance, parts);
-    if (finer.reached < look.reached) break;
-    const std::size_t mark = look.reached - 1;
+    // Coarse steps may pass a pole.
+    if (finer.reached == 0 || (finer.reached < look.reached && !finer.ends)) break;
+    const std::size_t mark = finer.reached - 1;
     const Along before = look.seen.at(mark), now = finer.seen.at(mark);
     look = std::move(finer);
     if (std::ranges::equal(before.largest, now.largest, is_near) &&
