@@ -94,8 +94,12 @@ target_include_directories(odeum_core INTERFACE $<INSTALL_INTERFACE:${CMAKE_INST
 install(TARGETS ${odeum_lab} EXPORT OdeumLaboratory ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/odeum)
 install(EXPORT OdeumLaboratory NAMESPACE Odeum:: DESTINATION ${odeum_package})
 
-install(DIRECTORY src/odeum DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.hpp" PATTERN cli EXCLUDE)
+list(TRANSFORM odeum_eigen_files REPLACE "^src/" "" OUTPUT_VARIABLE odeum_units)
+install(CODE "
+  set(ODEUM_SOURCE \"${PROJECT_SOURCE_DIR}\")
+  set(ODEUM_INCLUDE \"${CMAKE_INSTALL_INCLUDEDIR}\")
+  set(ODEUM_UNITS \"${odeum_units}\")")
+install(SCRIPT scripts/cmake/InstallHeaders.cmake)
 install(FILES src/odeum/api/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odeum)
 install(FILES ${ODEUM_GENERATED}/odeum_methods.hpp DESTINATION ${odeum_lab_headers})
 install(FILES ${odeum_eigen_files} DESTINATION ${CMAKE_INSTALL_DATADIR}/odeum/src)

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "odeum/accuracy/stepper.hpp"
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/record/table.hpp"
@@ -46,7 +47,7 @@ void print_costs(const study::ConvergenceResult& result) {
 /// Of the solver that is tested; those of `beside` stand in the files and are compared by cost.
 int check_order(const std::string& case_id, const std::string& folder,
                 const std::vector<std::string>& beside) {
-  const Case& c = study::find_case(case_id);
+  const Case& c = known_case(case_id);
   const Entrant& entrant = c.entrants.back();
   if (!entrant.unfit.empty()) {
     fmt::print("{}: not tested: {}\n", case_id, entrant.unfit);

@@ -31,6 +31,9 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked);
 /// `command` and more. Without an answer: `failure` and `not_tried`.
 nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked& asked);
 
+/// The runs of the race: the text of race.csv.
+std::string csv_of(const Advice& advice, const Case& c);
+
 /// Writes the runs of the race (race.csv), the answer (advice.json) and their page; false where
 /// there is no page, see Report::write. Throws FileError.
 bool write_page(const record::OutputFolder& folder, const Advice& advice, const Case& c,

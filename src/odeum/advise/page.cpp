@@ -40,6 +40,10 @@ std::vector<RaceRow> rows_of(const Advice& advice, const Case& c) {
 
 }  // namespace
 
+std::string csv_of(const Advice& advice, const Case& c) {
+  return record::csv_text(rows_of(advice, c));
+}
+
 bool write_page(const record::OutputFolder& folder, const Advice& advice, const Case& c,
                 const Asked& asked) {
   folder.write("advice.json", json_of(advice, c, asked).dump(2) + "\n");

@@ -19,7 +19,7 @@ namespace odeum::cli {
 namespace {
 
 struct AdviseOptions {
-  std::string what, format = "text", time, frame, out;
+  std::string what, format = "table", time, frame, out;
   bool code = false;
   std::vector<std::string> vary;
   std::optional<double> until;
@@ -132,9 +132,9 @@ bool may_stop(const AdviseOptions& options, const Case& c) {
 
 int advise_on(Session& session, AdviseOptions& options, const CLI::App& command) {
   read_times(options);
-  if (options.code && (options.format != "text" || !options.vary.empty()))
+  if (options.code && (options.format != "table" || !options.vary.empty()))
     throw UsageError("--code: a program is text, of one set of parameters: without {}",
-                     options.vary.empty() ? "--format json" : "--vary");
+                     options.vary.empty() ? "--format" : "--vary");
   if (command.count("--seconds") > 0) require_positive("--seconds", options.wishes.seconds);
   check_solver_globs(options.wishes.solvers);
   for (const std::string& library : options.wishes.libraries) check_solver_globs({library + "/*"});
@@ -177,7 +177,9 @@ int advise_on(Session& session, AdviseOptions& options, const CLI::App& command)
     const Request& winner_request = advice.candidates[advice.winner].found->request();
     print(commented(text) + code_of(c, struct_of(c, winner.info), winner, winner_request));
   } else {
-    print(options.format == "json" ? advise::json_of(advice, c, asked).dump(2) + "\n" : text);
+    print(options.format == "json"  ? advise::json_of(advice, c, asked).dump(2) + "\n"
+          : options.format == "csv" ? advise::csv_of(advice, c)
+                                    : text);
   }
   if (folder) remark_on_page(advise::write_page(*folder, advice, c, asked));
   return advise::is_whole(advice, c) ? success : check_failed;
@@ -222,8 +224,7 @@ void add_advise(CLI::App& app, Session& session, int& result) {
       *command, "--seconds S", options->wishes.seconds,
       "for the answer, the truth included; default: 20, and up to 600 for thirty of the best "
       "runs where one takes over 2 ms");
-  add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
-      ->check(CLI::IsMember({"text", "json"}));
+  add_format(*command, options->format);
   command->add_flag("--code", options->code,
                     "print a C++ program that makes the run, with the answer as its comment");
   add_option(*command, "--out DIR", options->out,

@@ -155,8 +155,7 @@ void add_list(CLI::App& app, Session& session) {
                    "of solvers: which of them fit this case, scene, problem's file or FMU, and why "
                    "others do not")
       ->type_name("CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu");
-  command->add_option("--format", options->format, "table, csv or json")
-      ->check(CLI::IsMember({"table", "csv", "json"}));
+  add_format(*command, options->format);
   command->add_flag("--parameters", options->parameters,
                     "the parameters of cases, which odeum run --set changes");
   command->callback([options, &session] {

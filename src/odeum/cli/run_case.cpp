@@ -195,7 +195,7 @@ std::string text_of_file(const Case& c, const RunOptions& options) {
 void require_solver_and_setting(const RunOptions& options) {
   if (options.solvers.empty())
     throw UsageError(
-        "--solver is required; a scene's own is taken without --stops and --format json");
+        "--solver is required; a scene's own is taken without --stops, --format json and csv");
   if (!has_setting(options.settings))
     throw UsageError("run needs --step or --tol, or --rtol and --atol");
 }
@@ -222,7 +222,7 @@ int print_code(const Case& c, const RunOptions& options) {
 int run_case(Session& session, const cases::Named& what, const RunOptions& given) {
   RunOptions options = given;
   const cases::Kind* const kind = cases::kind_of(what);
-  const bool from_file = kind && !kind->has_frames, rows = options.format == "json";
+  const bool from_file = kind && !kind->has_frames, rows = options.format != "table";
   Case c = case_before_truth(session, what, options.problems);
   options.settings = settings_for(c, options.settings);
   if (options.code) return print_code(c, options);
@@ -262,7 +262,10 @@ int run_case(Session& session, const cases::Named& what, const RunOptions& given
     any_close = any_close || (run.outcome.status == Status::ok && !errors.back().diverged);
   }
   if (!options.out.empty()) say(write_files(c, runs, options, from_file));
-  if (rows) print(record::json_of(rows_of(c, runs, errors)));
+  if (rows) {
+    const RunRows all = rows_of(c, runs, errors);
+    print(options.format == "json" ? record::json_of(all) : record::csv_text(all.rows));
+  }
   return any_close ? success : solver_failed;
 }
 

@@ -169,8 +169,9 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
 
 void add_format(CLI::App& command, std::string& format) {
   add_option(command, "--format FORMAT", format,
-             "of what is printed: table, or json with all columns of the files")
-      ->check(CLI::IsMember({"table", "json"}));
+             "what is printed: table (for people), csv (rows), or json (all of it)")
+      ->transform([](const std::string& word) { return word == "text" ? "table" : word; })
+      ->check(CLI::IsMember({"table", "csv", "json"}));
 }
 
 }  // namespace odeum::cli

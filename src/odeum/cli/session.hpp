@@ -95,7 +95,7 @@ struct StudyOptions {
   unsigned jobs_or_cores() const;
 };
 void add_study_options(CLI::App& command, StudyOptions& options);
-/// Adds --format, of what is printed: table or json.
+/// Adds --format: table (`text` is another word for it), csv or json.
 void add_format(CLI::App& command, std::string& format);
 
 /// Each adds its subcommand, which works with the session; `result` receives the exit code where

@@ -75,7 +75,9 @@ void run_study(const Session& session, study::Study& study, study::Options optio
   const record::OutputFolder& folder = *out;
   study.write(folder, common.jobs_or_cores());
   show(session, study, options, folder, common.jobs_or_cores());
-  print(common.format == "json" ? study.json() : study.table());
+  print(common.format == "json"  ? study.json()
+        : common.format == "csv" ? study.csv()
+                                 : study.table());
   if (session.is_alone()) remark_on(store.get());
   std::vector<std::string> files;
   for (const auto& [file, columns] : study.files())  // without rows a file is not written

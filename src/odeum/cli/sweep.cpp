@@ -18,7 +18,7 @@ namespace odeum::cli {
 namespace {
 
 struct SweepOptions {
-  std::string what, quantities, over_file, out, format = "text", study = "run";
+  std::string what, quantities, over_file, out, format = "table", study = "run";
   std::vector<std::string> over, solvers;
   double sample = 0, error = 0, seconds = 0;
   std::uint64_t seed = 1, check = 100;
@@ -152,9 +152,11 @@ int sweep_on(Session& session, const SweepOptions& options, const CLI::App& comm
     require_kept(session, store.get());
     if (session.is_plan_or_shard()) return success;
     if (json.size() == 1) json = nlohmann::ordered_json(json.front());
-    print(options.format == "json" ? json.dump(2) + "\n" : text);
+    const sweep::Joined all = sweep::join(plans, std::move(results));
+    print(options.format == "json"  ? json.dump(2) + "\n"
+          : options.format == "csv" ? all.result.csv
+                                    : text);
     if (folder) {
-      const sweep::Joined all = sweep::join(plans, std::move(results));
       remark_on_page(sweep::write_page(*folder, all, text, json, asked));
       remark("members.csv is in {}", out);
     }
@@ -204,8 +206,7 @@ void add_sweep(CLI::App& app, Session& session, int& result) {
   add_problem_options(*command, options->problems, false);
   add_option(*command, "--jobs N", options->common.jobs, "threads; default: one a core")
       ->check(CLI::Range(1, 1024));
-  add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
-      ->check(CLI::IsMember({"text", "json"}));
+  add_format(*command, options->format);
   add_option(*command, "--out DIR", options->out,
              "folder for the files: members.csv, sweep.json and a page with a map");
   command->callback(

@@ -15,7 +15,7 @@ namespace odeum::cli {
 namespace {
 
 struct WhyOptions {
-  std::string what, solver, format = "text", out;
+  std::string what, solver, format = "table", out;
   double seconds = 20;
   RunSettings settings;
   ProblemOptions problems;
@@ -87,8 +87,9 @@ int why_on(Session& session, const WhyOptions& options, const CLI::App& command)
                   std::max(least * options.seconds, options.seconds - seconds_since(start)),
                   cases::conditions_of(c));
   const advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
-  print(options.format == "json" ? advise::json_of(why, c, asked).dump(2) + "\n"
-                                 : advise::text_of(why, c, asked));
+  print(options.format == "json"  ? advise::json_of(why, c, asked).dump(2) + "\n"
+        : options.format == "csv" ? advise::segments_of(why).csv()
+                                  : advise::text_of(why, c, asked));
   if (!options.out.empty()) write_files(options.out, c, why, asked);
   return success;
 }
@@ -108,8 +109,7 @@ void add_why(CLI::App& app, Session& session, int& result) {
   add_option(*command, "--until T", options->settings.until, "end time; default: the horizon");
   add_option(*command, "--seconds S", options->seconds,
              "for the answer, the truth included; default: 20");
-  add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
-      ->check(CLI::IsMember({"text", "json"}));
+  add_format(*command, options->format);
   add_option(*command, "--out DIR", options->out,
              "folder for the files: index.html, why.csv, why.json, trajectory.csv, ...");
   command->callback(

@@ -81,8 +81,6 @@ std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
   return pairs;
 }
 
-const Case& find_case(const std::string& id) { return known_case(id); }
-
 const Entrant& find_solver(const Entrants& entrants, const std::string& id) {
   if (const Entrant* const entrant = entrants.find(id)) return *entrant;
   throw std::out_of_range("no solver " + id);

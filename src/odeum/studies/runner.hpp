@@ -31,8 +31,7 @@ std::vector<const Case*> select_cases(const std::vector<std::string>& globs);
 std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
                                const std::vector<std::string>& solver_globs);
 
-/// Throw std::out_of_range where there is none of that id.
-const Case& find_case(const std::string& id);
+/// Throws std::out_of_range where there is none of that id.
 const Entrant& find_solver(const Entrants& entrants, const std::string& id);
 
 /// The names of a pair, by which its results are kept.

@@ -88,6 +88,8 @@ class Study {
   virtual std::string table() const = 0;
   /// The same for a program, see record::json_of.
   virtual std::string json() const = 0;
+  /// The text of its first file.
+  virtual std::string csv() const = 0;
   /// Hands its rows to a report, and what else its texts refer to.
   virtual void show(report::Report& report) const = 0;
   /// What a report says of it beside its texts.
@@ -147,6 +149,7 @@ class StudyOf final : public Study {
     return functions_.table ? functions_.table(result_) : record::tables_of(result_);
   }
   std::string json() const override { return record::json_of(result_); }
+  std::string csv() const override { return record::csv_text(std::get<0>(Result::lists(result_))); }
   void show(report::Report& report) const override {
     record::for_each_list(result_, [&]<class Row>(const std::vector<Row>& rows) {
       if (!record::is_compressed<Row>()) report.rows(folder(), rows);

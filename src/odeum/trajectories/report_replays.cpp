@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/report/text.hpp"
@@ -144,7 +145,7 @@ std::vector<ReplayRow> write_replays(const Case& c, const record::OutputFolder& 
 void add_replays(report::Report& report, const record::OutputFolder& folder, unsigned jobs) {
   const auto& cases = report.facts().cases;
   if (std::ranges::none_of(cases, [](const auto& c) { return c.id == replayed_case; })) return;
-  const auto rows = write_replays(study::find_case(replayed_case), folder, jobs);
+  const auto rows = write_replays(known_case(replayed_case), folder, jobs);
   report.study({.name = "replays",
                 .command = "report",
                 .help = "runs of the cloth, replayed in step",

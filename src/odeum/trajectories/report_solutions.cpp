@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
 #include "odeum/trajectories/solutions.hpp"
@@ -70,7 +71,7 @@ void add_solutions(report::Report& report, const std::vector<std::string>& cases
   for (const report::CaseFacts& facts : report.facts().cases) {
     progress.advance();
     if (!cases.empty() && std::ranges::find(cases, facts.id) == cases.end()) continue;
-    const Case& c = study::find_case(facts.id);
+    const Case& c = known_case(facts.id);
     nlohmann::ordered_json sets = nlohmann::ordered_json::array();
     for (const auto& [end, chosen] : chosen_of(c, converged, timed))
       sets.push_back(drawn(c, end, chosen, jobs));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/studies/cloth/cloth.hpp"
 
 namespace odeum::study {
@@ -67,7 +68,7 @@ std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& ru
 }
 
 ClothResult measure_error_parts(const Options& options, const Runner& runner) {
-  const Case& cloth = find_case("cloth11_two_way");
+  const Case& cloth = known_case("cloth11_two_way");
   const std::size_t n = cloth.y0.size(), positions = n / 2;
   SplitPlan plan;
   plan.steps = {20, 40, 80, 160, 320, 640};
