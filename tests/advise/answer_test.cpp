@@ -49,6 +49,48 @@ TEST(Answer, KeepsAnErrorAtEveryFrame) {
   }
 }
 
+// Whatever was asked for, the command that is printed runs as it stands, and keeps the error.
+TEST(Answer, HasACommandThatRunsForEveryFormOfQuestion) {
+  const tests::TemporaryFolder root;
+  const std::string file = (root.path() / "it's a decay.yaml").string();
+  tests::write_text(file,
+                    "parameters: {k: 1, d: 1}\nstates: {y: 1}\nequations: {y: -k*y^2*d}\n"
+                    "time: {end: 1}\ncases:\n  slow: {}\n  fast: {set: {k: 2}}\n");
+  const std::string text = fmt::format("\"{}\" --case fast --error 1e-5", file);
+  for (const std::string& question :
+       {text, text + " --set d=3", text + " --set d=3 --set k=0.5 --vary d=1..2",
+        text + " --until 0.5 --set d=2", text + " --frame 1/60", text + " --frame 1/60 --until 0.5",
+        fmt::format("\"{}\" --case slow --time 5us", file),
+        fmt::format("\"{}\" --case slow --time 5us --frame 1/50", file),
+        std::string("kepler_e06 --error 1e-5 --until 2"),
+        std::string("kepler_e06 --error 1e-3 --energy 1e-5 --horizon 10"),
+        std::string("kepler_e06 --error 1e-3 --vary eccentricity=0.1..0.5"),
+        std::string("robertson --error 1e-5")}) {
+    const Result result = shell("odeum advise " + question + " --solver rk4 'dorm*' --format json");
+    ASSERT_EQ(result.code, 0) << question << "\n" << result.output;
+    const auto advice = nlohmann::json::parse(result.output);
+    const std::string command = advice["command"];
+    const Result run = shell(command);
+    EXPECT_EQ(run.code, 0) << command << "\n" << run.output;
+    // `odeum run` prints six digits.
+    EXPECT_LE(number_after(run.output, "error "), double(advice["error"]) * (1 + 1e-5)) << command;
+  }
+}
+
+// The error was that of the largest coordinate, so that particles were 1.27 mm off.
+TEST(Answer, KeepsTheDistanceOfEachParticleAtEveryFrame) {
+  const Result result = shell(
+      "odeum advise spherical_pendulum --until 2 --error 1e-3 --frame 1/60 --solver 'odeum/dorm*' "
+      "--format json");
+  ASSERT_EQ(result.code, 0) << result.output;
+  const auto advice = nlohmann::json::parse(result.output);
+  const std::string command = advice["command"];
+  const std::string solver = advice["solver"];
+  // At each of the frames that the run keeps, every 60th of a second.
+  const Result run = shell(command);
+  EXPECT_LE(number_after(run.output, "error      " + solver + ": "), 1e-3) << run.output;
+}
+
 // The command named the parameter twice, which `odeum run` refuses.
 TEST(Answer, VariesAParameterThatIsSetAsWell) {
   const File decay(

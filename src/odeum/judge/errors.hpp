@@ -10,7 +10,7 @@ namespace odeum::judge {
 /// The error of a solve at one stop.
 struct StopError {
   double time = 0;
-  double error_max = 0;     ///< largest |error| of a measured component, in its unit
+  double error_max = 0;     ///< see error_of
   double error_rms = 0;     ///< root mean square over the measured components
   double energy = 0;        ///< NaN where the case has none
   double energy_error = 0;  ///< |E - E_truth| / largest |E_truth| over the stops
@@ -22,7 +22,7 @@ std::vector<std::size_t> measured_components(const Case& c);
 /// An error, as every study, command and file of Odeum has it: |y_i - exact_i| over the unit of the
 /// component i (ErrorUnits), which is 1, the scale of the component, or, of one that falls and
 /// rises again, its exact value at that time. Of a state it is the largest of the measured
-/// components.
+/// components, and of a scene the largest distance of a particle from its exact place, in m.
 double error_of(const Case& c, const double* y, const double* exact);
 /// Which component has it, or is the first of several.
 std::size_t worst_component(const Case& c, const double* y, const double* exact);
