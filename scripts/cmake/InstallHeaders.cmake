@@ -8,7 +8,8 @@ list(APPEND next odeum/cases/catalogue.hpp odeum/problem/shared.hpp odeum/input/
 set(seen "")
 while(next)
   list(POP_BACK next file)
-  if(file IN_LIST seen OR NOT EXISTS ${ODEUM_SOURCE}/src/${file})  # odeum_methods.hpp is generated
+  list(FIND seen ${file} at)
+  if(NOT at EQUAL -1 OR NOT EXISTS ${ODEUM_SOURCE}/src/${file})  # generated, or installed elsewhere
     continue()
   endif()
   list(APPEND seen ${file})
