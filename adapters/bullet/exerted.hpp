@@ -14,7 +14,7 @@ namespace odeum::adapters::bullet {
 /// at the start of each step: uniform forces and penalty contacts as a scene's problem has them.
 class Exerted {
  public:
-  /// Of the terms of a scene other than gravity; its springs too where `springs` says so. A
+  /// Exerts the terms of a scene other than gravity; its springs too where `springs` says so. A
   /// velocity matrix is left out.
   Exerted(const scene::Scene& scene, bool springs);
 

@@ -123,7 +123,7 @@ void unpack(const std::string& archive, const fs::path& folder) {
     zip_error_init_with_code(&error, code);
     const std::string why = zip_error_strerror(&error);
     zip_error_fini(&error);
-    throw LoadError(fmt::format("is no whole ZIP archive: {}", why));
+    throw LoadError(fmt::format("is not a whole ZIP archive: {}", why));
   }
   const zip_int64_t entries = zip_get_num_entries(zip.get(), 0);
   if (entries > most_entries)

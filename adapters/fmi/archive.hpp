@@ -21,8 +21,8 @@ class TemporaryFolder {
 };
 
 /// Unpacks modelDescription.xml, binaries and resources of a ZIP archive into a folder. Throws
-/// LoadError, without a file name, for what is no whole archive, has names that point out of the
-/// folder, or is larger than 1 GB unpacked.
+/// LoadError, without a file name, for a file that is not a whole archive, has names that point out
+/// of the folder, or is larger than 1 GB unpacked.
 void unpack(const std::string& archive, const std::filesystem::path& folder);
 
 }  // namespace odeum::adapters::fmi

@@ -69,7 +69,8 @@ Variable variable_of(const Node& node, const Node& typed) {
   return v;
 }
 
-/// Of a variable without a name, or one that starts at what is no finite number; empty: none.
+/// The fault of a variable without a name, or of one whose start is not a finite number; empty:
+/// none.
 std::string fault_of(const Variable& v) {
   if (v.name.empty())
     return fmt::format("the variable of value reference {} has no name", v.reference);
@@ -186,7 +187,8 @@ void read_experiment(const Node& root, Description& d) {
   d.stop_is_given = !!experiment.attribute("stopTime");
   d.stop = number_of<double>(experiment, "stopTime", d.t0 + 1);
   if (!std::isfinite(d.t0) || !std::isfinite(d.stop) || !(d.stop > d.t0))
-    refuse(fmt::format("DefaultExperiment: the time from {} to {} is no interval", d.t0, d.stop));
+    refuse(
+        fmt::format("DefaultExperiment: the time from {} to {} is not an interval", d.t0, d.stop));
   if (experiment.attribute("tolerance"))
     d.tolerance = number_of<double>(experiment, "tolerance", 0);
 }
@@ -226,7 +228,7 @@ Description read_description(const std::string& xml) {
     refuse("the model needs its simulation tool beside it (needsExecutionTool)");
   if (flag(exchange, "needsCompletedIntegratorStep"))
     refuse(
-        "the model acts at the end of steps (needsCompletedIntegratorStep): it is no "
+        "the model acts at the end of steps (needsCompletedIntegratorStep): it is not a "
         "differential equation alone");
   refuse_events(root, d.version);
   read_experiment(root, d);

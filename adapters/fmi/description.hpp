@@ -26,14 +26,14 @@ struct Description {
   bool stop_is_given = false;
   std::optional<double> tolerance;
   std::vector<Variable> variables;
-  /// By state: places in `variables`. Where states are arrays, one for each array.
+  /// The index in `variables` of each state. Where states are arrays, one for each array.
   std::vector<std::size_t> states, derivatives;
   bool has_arrays = false;
   bool names_time = false;  ///< among what derivatives depend on
 };
 
-/// Throws LoadError, without a file name, for what is no description, needs a version that is not
-/// read, has events, or is made for co-simulation only.
+/// Throws LoadError, without a file name, for a text that is not a description, needs a version
+/// that is not read, has events, or is made for co-simulation only.
 Description read_description(const std::string& xml);
 
 }  // namespace odeum::adapters::fmi

@@ -47,7 +47,7 @@ using Directional = int (*)(void*, const unsigned* unknowns, std::size_t, const 
                             std::size_t, const double* seed, double* sensitivity);
 }
 
-/// Of C++ linkage: a C function `log` would take the place of the logarithm.
+/// Has C++ linkage: a C function `log` would take the place of the logarithm.
 void note(void*, const char*, int status, const char*, const char* message, ...) {
   if (status < 2 || !message) return;
   std::array<char, 500> text{};

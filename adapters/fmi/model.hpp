@@ -63,7 +63,7 @@ std::unique_ptr<Model> make_model3(const Description& description, const Binary&
                                    const std::filesystem::path& folder, const Values& values);
 
 /// A value of --set with the variable that it is for. Throws LoadError where there is no such
-/// variable, or none that can be set, or the text is no number of its type.
+/// variable, or none that can be set, or the text is not a number of its type.
 struct Setting {
   const Variable* variable;
   std::string text;

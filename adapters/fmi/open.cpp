@@ -199,7 +199,7 @@ bool try_out(Fmu& fmu, const char* name, const Values& values) {
 
 foreign::ProblemCallbacks open(const std::string& file, const Values& values) {
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) throw LoadError("is no file");
+  if (!fs::is_regular_file(file, ignored)) throw LoadError("is not a file");
   const std::shared_ptr<Fmu> fmu = read(file);
   const bool in_time = try_out(*fmu, "of the FMU", values);
   fmu->load(values);

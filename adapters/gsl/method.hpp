@@ -27,7 +27,7 @@ struct Method {
   /// of the evaluations to an error; implicit ones gain nothing or lose (reports/peers.md).
   double a_dydt() const { return kind == Kind::explicit_rk ? 1 : 0; }
   bool multistep() const { return kind == Kind::adams || kind == Kind::bdf; }
-  /// Of the first step: a multistep method begins at order 1.
+  /// The order of the first step: a multistep method begins at order 1.
   int first_order() const {
     return multistep() ? 1 : kind == Kind::extrapolation ? 6 : static_cast<int>(order);
   }

@@ -159,7 +159,7 @@ void add_adaptive_adams(Roster<P>& roster) {
    ...);
 }
 
-/// Those that the type of problem fits.
+/// Adds the methods of second order that the type of problem fits.
 template <Ode P>
 void add_second_order(Roster<P>& roster) {
   if constexpr (Separable<P>) {

@@ -106,7 +106,7 @@ void add_plugin(const std::string& file) {
   // A name without a slash would be looked for in the system's folders.
   const std::string path = std::filesystem::absolute(file).string();
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) refuse(file, "is no file");
+  if (!std::filesystem::is_regular_file(path, ignored)) refuse(file, "is not a file");
   // Whatever it does when it is loaded, it does first in a process of its own.
   const auto [ended, fault] = isolated::text_isolated([&] {
     std::string why;

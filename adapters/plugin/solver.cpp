@@ -35,7 +35,8 @@ struct System {
   std::uint64_t calls_ = 0;  ///< at that time
 };
 
-/// The callbacks' result: 0, or 1 once the budget is spent, after which calls are no sign of work.
+/// The callbacks' result: 0, or 1 once the budget is spent, after which calls are not a sign of
+/// work.
 int working(System& system, double t, int answer) {
   if (answer == 0 && system.goes_on(t)) isolated::alive(system.guarded.guard());
   return answer;
@@ -139,7 +140,7 @@ class Solve {
   bool sound(int answer, double t) {
     if (system_.guarded.guard().tripped()) return false;
     if (answer == 0) return true;
-    // Of the reason nothing is known, and no other status would be true of every method.
+    // Nothing is known of the reason, and no other status would be true of every method.
     return fail(Status::refused, t,
                 fmt::format("{} returned {}, which says that it failed",
                             request_.mode == Mode::fixed ? "step" : "solve", answer));

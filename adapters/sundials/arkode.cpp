@@ -79,8 +79,8 @@ const std::vector<ImplicitTable>& implicit_tables() {
 void create_arkstep(Session& session, ARKRhsFn explicit_part, ARKRhsFn implicit_part) {
   session.adopt(
       ARKStepCreate(explicit_part, implicit_part, session.t0(), session.y(), session.context()));
-  // By the default, Hermite's of degree 5 at most. Implicit stages are predicted by the
-  // interpolant, so that another one would change the run: steps end on their outputs.
+  // The default interpolant is Hermite's, of degree 5 at most. It predicts implicit stages, so that
+  // another one would change the run: their steps end on their outputs.
   if (!implicit_part && session.interpolate_outputs()) return;
   // Every stop is the end of a step, so nothing is interpolated: an interpolant of the lowest
   // degree saves the default's extra evaluation per step.

@@ -19,7 +19,8 @@ namespace odeum::adapters::sundials {
 struct StructuredJacobian {
   JacobianEntries entries;
   std::vector<double> values;
-  // By rows, with the diagonal: the library adds to it, and would store it anew at each setup.
+  // The matrix by rows, with the diagonal: the library adds to it, and would store it anew at each
+  // setup.
   std::vector<sunindextype> start{0}, column;
   std::vector<std::size_t> places;  ///< of the problem's entries among these
 };

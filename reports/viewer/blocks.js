@@ -29,7 +29,7 @@
         continue;
       }
       const found = /^([a-z_]+):\s*(.*)$/.exec(line);
-      if (!found) throw new Error(`"${line}" is no key: value`);
+      if (!found) throw new Error(`"${line}" is not key: value`);
       key = found[1];
       spec[key] = found[2];
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Equations as a paper has them: the text of a case, y'' + 0.5 y' = -sin(t), read as a tree and
-// drawn as MathML, which browsers know. What is no formula stays text.
+// drawn as MathML, which browsers know. A text that is not a formula stays text.
 'use strict';
 (() => {
   const { html } = odeum;
@@ -15,7 +15,7 @@
   ];
   const signs = { '-': '−', '*': '·', '..': '…' };
 
-  // A token is [kind, text, whether a space stands before it]; null: the text is no formula.
+  // A token is [kind, text, whether a space stands before it]; null: the text is not a formula.
   const tokensOf = (text) => {
     const digits = '\\d+(?:\\.\\d+)?(?:e[-+]?\\d+)?',
       name = "[A-Za-z]+[A-Za-z0-9]*(?:_(?:\\{[^{}]*\\}|[A-Za-z0-9]+))?'*";
@@ -33,7 +33,7 @@
 
   // The tree of a text: ['row', ...], ['over', a, b], ['power', a, b], ['below', a, index],
   // ['primed', a, primes], ['root', a], ['space'], and with a text 'number', 'name', 'function',
-  // 'sign', 'tall' (brackets around fractions), 'unary' (before an operand). Throws for what is no
+  // 'sign', 'tall' (brackets around fractions), 'unary' (before an operand). Throws where it is not a
   // formula; `known`: whether a name of several letters is one.
   const treeOf = (text, known = () => false) => {
     const tokens = tokensOf(text);
@@ -196,7 +196,7 @@
       if ((letter === ',' || letter === ';') && depth === 0) pieces.push(letter, '');
       else pieces[pieces.length - 1] += letter;
     }
-    // A name that the text defines, as in "amplitude = 5", is no word.
+    // A name that the text defines, as in "amplitude = 5", is not a word.
     const named = new Set(
       [...text.matchAll(/([A-Za-z]\w*)'*(?:\(0\))? = /g)].map(([, name]) => name),
     );

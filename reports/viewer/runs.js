@@ -236,7 +236,7 @@
     );
   };
 
-  // By the kind of a page; fields.js has more.
+  // The fields for each kind of page; fields.js has more.
   const pageFigures = { case: caseFigures, scene: sceneFigures };
   const runTable = (about, runs, size) => {
     const result = about.kind === 'scene' ? 'change of energy (J)' : 'error at the end';

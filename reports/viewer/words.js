@@ -94,7 +94,7 @@
     );
   };
 
-  // By how much the best of one library leads the best of another.
+  // The lead of the best of one library over the best of another.
   const leadOf = (best, second) => {
     const ratio = second.wall_ns_min / best.wall_ns_min,
       other = `${idOf(second)} (${duration(second.wall_ns_min)})`;

@@ -38,12 +38,12 @@ if(NOT text MATCHES "\"id\":\"oscillator3\"" OR NOT text MATCHES "\"name\":\"pre
   message(FATAL_ERROR "page.json has no points of the FMU to draw")
 endif()
 # What is refused; reasons are tested in tests/adapters/fmi_test.cpp.
-expect(2 "run ${at}/nothing.fmu" "nothing.fmu: is no file")
+expect(2 "run ${at}/nothing.fmu" "nothing.fmu: is not a file")
 expect(2 "converge ${fmu} --set nu=1" "the model has no variable nu; it has x, v, mu, a, fault")
 expect(2 "run ${fmu} --set fault=6" "has time events .the first at t = 1.")
 expect(2 "run ${fmu} --set fault=9" "foreign code crashed: Aborted")
 expect(3 "run ${fmu} --set fault=3 --solver odeum/rk4 --step 0.01" "foreign code crashed: Aborted")
-# Of too many steps it says so before a truth is computed.
+# A run of too many steps is refused before a truth is computed.
 file(ARCHIVE_EXTRACT INPUT ${fmu} DESTINATION ${FOLDER}/long)
 file(READ ${FOLDER}/long/modelDescription.xml text)
 string(REGEX REPLACE "stopTime=\"[^\"]*\"" "stopTime=\"1e300\"" text "${text}")

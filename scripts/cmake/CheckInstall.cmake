@@ -2,7 +2,7 @@
 # cmake -DBUILD=<build folder> -DFOLDER=<folder> -DDOCS=<where documents go> -P CheckInstall.cmake
 # Installs into a fresh folder and runs the installed program in another, without the
 # checkout: a case, a built-in scene, an installed tableau. No program and no library searches the current
-# folder or a relative one for libraries: the file libz.so.1 there is no library, and who loads it fails.
+# folder or a relative one for libraries: the file libz.so.1 there is not a library, and who loads it fails.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER}/elsewhere)
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER}/prefix

@@ -47,7 +47,7 @@ foreach(fault IN ITEMS "bad_version|version 99" "no_entry|exports no function od
   list(GET fault 1 sentence)
   expect(2 "list solvers --plugin ${at}/libbad_${name}.so" "${sentence}")
 endforeach()
-expect(2 "list solvers --plugin ${at}/nothing.so" "is no file")
+expect(2 "list solvers --plugin ${at}/nothing.so" "is not a file")
 expect(2 "list solvers --plugin ${at}/CMakeCache.txt" "cannot be loaded")
 expect(2 "list solvers --plugin ${at}/libmy_rk4.so --plugin ${at}/libmy_rk4.so" "library of the name mine already")
 

@@ -54,7 +54,7 @@ target_compile_features(odeum_integrators INTERFACE cxx_std_20)
 target_compile_options(odeum_integrators INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-fno-tree-slp-vectorize>)
 
-# The parts of kernels that are no templates and use Eigen, compiled by whoever uses them.
+# The parts of kernels that are not templates and use Eigen, compiled by whoever uses them.
 set(odeum_eigen_files src/odeum/kernel/stage_transform.cpp src/odeum/linear/eigenvalues.cpp
                       src/odeum/linear/matrix_exponential.cpp src/odeum/linear/sparse_system.cpp
                       src/odeum/linear/ordering.cpp src/odeum/linear/pattern_lu.cpp

@@ -69,7 +69,7 @@ for (const { case: name } of facts.questions.filter((q) => timed.some((row) => r
     await browser.until(`document.querySelector('.answer')`);
     const command = await browser.run(`document.querySelector('.command code')?.textContent || ''`);
     printed += command !== '';
-    if (command && !commands.includes(command)) complain(`${name} at ${error}: ${command} is no run of fastest.csv`);
+    if (command && !commands.includes(command)) complain(`${name} at ${error}: ${command} is not a run of fastest.csv`);
   }
 const every = Math.max(1, Math.floor(converged.length / mostOrders)), some = converged.filter((_, i) => i % every === 0);
 const orders = await commandsOf('convergence', some.map(only(['case', 'library', 'solver', 'mode', 'steps', 'tolerance'])));

@@ -15,7 +15,7 @@ namespace {
 
 struct Point {
   double wrong, right;  ///< errors in the same steps
-  double certain;       ///< above it an error is no rounding
+  double certain;       ///< an error above it is more than rounding
 };
 
 /// Right errors by mean step, between which they are a power of the step; NaN outside.

@@ -9,9 +9,9 @@ namespace odeum::tests {
 struct Trial {
   judge::OrderFit fit;
   /// Whether the fault can be seen in the wrong solver's errors alone: among the finer half of the
-  /// steps at which the same solver without its fault solves the case to 1 %, where errors are no
-  /// rounding, they vary beside the right ones by four times, or grow to four times what they are
-  /// at the coarsest. (At coarse steps a fault may do harm and vanish with the step.) To a
+  /// steps at which the same solver without its fault solves the case to 1 %, where errors are
+  /// clear of rounding, they vary beside the right ones by four times, or grow to four times what
+  /// they are at the coarsest. (At coarse steps a fault may do harm and vanish with the step.) To a
   /// tolerance the right errors are those at the same mean step, and ten times as much counts.
   bool visible = false;
 };

@@ -140,8 +140,8 @@ void expect_claimed(const Pair& pair) {
   }
   // Fixed steps: a fit over at least four steps whose local slopes agree is off by less than 0.15
   // (5 % above order 4), the next order of a step's error expansion included; a wrong coefficient
-  // changes it by a whole order. Adaptive runs: the order at least, see order_fit.hpp.
-  // Of rodas5p it is 6 on linear problems with constant coefficients, of all others their order.
+  // changes it by a whole order. Adaptive runs: the order at least, see order_fit.hpp. The order of
+  // rodas5p is 6 on linear problems with constant coefficients, of all others their order.
   const double claimed = result.orders.front().claimed_order;
   EXPECT_TRUE(claimed == pair.claimed || (pair.method == "rodas5p" && claimed == 6)) << claimed;
   const double band = (pair.mode == Mode::fixed ? judge::fixed_step_tolerance(claimed)

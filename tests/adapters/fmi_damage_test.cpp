@@ -12,13 +12,13 @@ namespace {
 class DamagedFmus : public Fmus {};
 
 TEST_P(DamagedFmus, DamagedArchivesAreRefused) {
-  expect_refused((folder_ / "none.fmu").string(), "is no file");
+  expect_refused((folder_ / "none.fmu").string(), "is not a file");
   const std::string file = fmu();
   const std::string whole = read(file);
   for (const double part : {0.0, 0.3, 0.99}) {
     std::ofstream(file, std::ios::binary)
         << whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size())));
-    expect_refused(file, "is no whole ZIP archive");
+    expect_refused(file, "is not a whole ZIP archive");
   }
   std::string flipped = whole;
   flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 0x55);
@@ -70,7 +70,7 @@ TEST_P(DamagedFmus, BrokenDescriptionsAreRefused) {
   expect_refused_xml("ModelExchange", "CoSimulation", "co-simulation only");
   expect_refused_xml("modelIdentifier=\"oscillator\"", "modelIdentifier=\"../oscillator\"",
                      "modelIdentifier");
-  expect_refused_xml("stopTime=\"8\"", "stopTime=\"-8\"", "is no interval");
+  expect_refused_xml("stopTime=\"8\"", "stopTime=\"-8\"", "is not an interval");
   expect_refused_xml("stopTime=\"8\"", "stopTime=\"soon\"", "expected a number");
   expect_refused_xml("name=\"mu\"", "name=\"a\"", "variable a: there are two of that name");
   expect_refused_xml("name=\"mu\"", "name=\"\"",

@@ -36,7 +36,7 @@ inline void replace(std::string& text, const std::string& from, const std::strin
   text.replace(at, from.size(), to);
 }
 
-/// By the version of FMI.
+/// The parameter is the version of FMI.
 class Fmus : public testing::TestWithParam<int> {
  public:
   ~Fmus() override { fs::remove_all(folder_); }

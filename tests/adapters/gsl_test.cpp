@@ -24,7 +24,7 @@ TEST(Gsl, EachStepperIsHonest) {
 
 TEST(Gsl, ErrorFallsWithTolerance) {
   for (const Entrant& entrant : enrolled({})) {
-    // Of orders 12 and 8: more accurate than any tolerance here, which is what is tested.
+    // Orders 12 and 8 are more accurate than any tolerance here, which is what is tested.
     if (entrant.info.method == "bsimp" || entrant.info.method == "rk8pd") {
       EXPECT_LT(circle_error(entrant.solve(adaptive_request(1e-7))), 1e-7);
     } else {

@@ -25,8 +25,8 @@ TEST(Odeint, EachStepperIsHonest) {
     if (entrant.unfit.empty()) expect_honest(entrant, enrolled);
 }
 
-// By Aitken and Neville: 4/3 - 1/3 for runs of 2 and 4 sub-steps, and 1/24 - 16/15 + 81/40 for 2, 4
-// and 6.
+// The weights are Aitken and Neville's: 4/3 - 1/3 for runs of 2 and 4 sub-steps, and 1/24 - 16/15 +
+// 81/40 for 2, 4 and 6.
 TEST(Odeint, ExtrapolationAmplifiesRoundingByItsWeights) {
   int checked = 0;
   for (const Entrant& entrant : enrolled({})) {
@@ -43,7 +43,7 @@ TEST(Odeint, ExtrapolationAmplifiesRoundingByItsWeights) {
 
 TEST(Odeint, ErrorFallsWithTolerance) {
   for (const Entrant& entrant : enrolled({})) {
-    // Of orders 10 and 12, these do better than asked at any tolerance here: that is judged.
+    // Orders 10 and 12 do better than asked at any tolerance here: that is judged.
     if (entrant.info.family == "extrapolation" && entrant.info.order >= 10)
       EXPECT_LT(circle_error(entrant.solve(adaptive_request(1e-7))), 1e-7);
     else if (entrant.info.adaptive)

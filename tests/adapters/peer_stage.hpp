@@ -165,7 +165,7 @@ inline void expect_honest(const Entrant& entrant,
   }
 }
 
-/// That these solvers go from the start of Approach to t = 1e9, whose rounding is over 1e-7.
+/// Expects these solvers to go from the start of Approach to t = 1e9, whose rounding is over 1e-7.
 inline void expect_long_horizon(const std::vector<Entrant>& entrants,
                                 const std::vector<std::string>& methods) {
   Request request = adaptive_request(1e-6);

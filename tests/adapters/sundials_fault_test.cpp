@@ -19,7 +19,7 @@ struct Decay {
 TEST(SundialsRun, FixedStepTakesExactlyTheStepsAndReachesEveryStop) {
   for (const Entrant& entrant : entrants<Witch>({1, 0})) {
     if (!entrant.info.fixed) continue;
-    // 30 steps of 0.1, which is no binary fraction: sums of it do not end on the stops.
+    // 30 steps of 0.1, which is not a binary fraction: sums of it do not end on the stops.
     const std::vector<double> stops{0.1, 1.7, 3};
     const Outcome outcome = entrant.solve(fixed(30, stops));
     ASSERT_EQ(outcome.status, Status::ok) << entrant.info.id() << ": " << outcome.detail;

@@ -64,7 +64,7 @@ TEST(Ida, HasTheExactMatrixOfItsNewtonIteration) {
       form.residual(t, moved.data(), moved_rates.data(), below.data());
       for (std::size_t i = 0; i < n; ++i) {
         const double slope = (above[i] - below[i]) / (2 * step), entry = matrix[i * n + j];
-        // Of the third derivatives, and rounding of the residual.
+        // The tolerance covers the third derivatives, and rounding of the residual.
         EXPECT_NEAR(entry, slope, 1e-6 * std::abs(entry) + 1e-8) << i << " " << j;
       }
     }

@@ -41,7 +41,7 @@ void expect_true(const std::string& arguments, double asked) {
 
 TEST(Advise, ItsCommandMakesTheRunAgain) {
   expect_true("kepler_e06 --error 1e-5 --solver 'odeum/dorm*' 'gsl/rk*'", 1e-5);
-  // Fixed steps win, and a propagator that is no method in this race is faster.
+  // Fixed steps win, and a propagator that does not take part in this race is faster.
   expect_true("damped_oscillator_underdamped --error 1e-6 --library odeum", 1e-6);
 }
 

@@ -256,7 +256,7 @@ const std::vector<MadeFailure>& made_failures() {
        .solver = "odeum/explicit_euler",
        .step = 0.05,
        .causes = {stability}},
-      {.name = "advection_too_long",  // all eigenvalues are -30, which is no bound here
+      {.name = "advection_too_long",  // all eigenvalues are -30, which is not a bound here
        .text = "parameters: {n: 30}\nstates: {u[1..n]: exp(-(i - 10)^2/8)}\n"
                "equations: {u[1..n]: -30*(u[i] - u[i-1])}\nboundaries: {u[0]: 0}\n"
                "time: {end: 3}\n",

@@ -84,7 +84,7 @@ std::string compiled_for();
 /// A number of a table with three digits; - where there is none.
 std::string three_digits(double number, const std::string& unit = "");
 
-/// Of scripts/bench ensemble; a tolerance of 0: a fixed step.
+/// The row of scripts/bench ensemble; a tolerance of 0: a fixed step.
 Row text_row(const char* solver, double tolerance, double goal);
 
 }  // namespace odeum::bench

@@ -207,7 +207,7 @@ Regret regret_of(const Case& c, double error) {
   return regret;
 }
 
-/// Null where a scene is no problem of ordinary differential equations, which is printed.
+/// Null where a scene is not a problem of ordinary differential equations, which is printed.
 const Case* case_or_scene(const std::string& id) {
   for (const cases::SceneText& text : cases::all_scenes())
     if (text.name == id) {

@@ -38,7 +38,7 @@ struct Ring {
     }
   }
 };
-/// Of second order: N / 2 masses.
+/// A problem of second order: N / 2 masses.
 template <std::size_t N>
 struct Masses {
   static constexpr std::size_t dimension = N;

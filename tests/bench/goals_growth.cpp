@@ -102,7 +102,7 @@ void add_rows(std::vector<Row>& rows, const std::string& name, const std::vector
 }
 
 /// A step of a solver on heat of each size: three times as many steps less once as many, so that
-/// what is done once a run, such as the order of elimination, is no part of it.
+/// what is done once a run, such as the order of elimination, is left out.
 std::vector<Sized> steps_of(const std::string& id, const std::vector<Heat>& problems,
                             double numbers_a_unknown) {
   std::vector<Sized> all;

@@ -49,7 +49,7 @@ constexpr Level levels[] = {{"osc_undamped", 3, 2},
                             {"heat_2d", 3, 5},
                             {"heat_2d", 6, 2}};
 
-/// Where it is no case of the project: that of its file of problems.
+/// Loads the file of problems of that name where it is not a case of the project.
 void know(const std::string& id) {
   const std::vector<std::string> known = known_ids();
   if (std::count(known.begin(), known.end(), id)) return;

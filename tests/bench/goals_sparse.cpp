@@ -79,8 +79,8 @@ double process_size(const std::string& name) {
   return nan;
 }
 
-/// By how much `run` raises the memory of this process at most, in bytes. Memory that was freed
-/// before is given back and the peak is reset, so that rows measured earlier change nothing.
+/// The rise of this process's memory while `run` lasts, in bytes. Memory that was freed before is
+/// given back and the peak is reset, so that rows measured earlier change nothing.
 double peak_growth(const std::function<void()>& run) {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";

@@ -10,7 +10,7 @@
 
 namespace odeum::bench {
 
-/// Of the advice for one question, a case and an error.
+/// The regret of the advice for one question, a case and an error.
 struct Regret {
   std::string case_id{};
   double error = 0;           ///< asked
@@ -32,8 +32,8 @@ struct Regret {
 /// Writes the questions as rows of reports/measured/regret.csv.
 void write_regret(const std::vector<Regret>& all, const std::string& file);
 
-/// Of all of them, and beside it of what is done without a measurement. `unanswered`: questions
-/// that no solver has the error of.
+/// Rows of the advice over all questions, and beside it of what is done without a measurement.
+/// `unanswered`: questions that no solver has the error of.
 std::vector<Row> regret_rows(const std::vector<Regret>& all, std::size_t unanswered);
 
 }  // namespace odeum::bench

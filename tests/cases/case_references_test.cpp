@@ -64,7 +64,7 @@ TEST(Reference, IsTheTruthOfACase) {
       if (c.truth.source == source) found = &c;
     if (!found) {
       const auto digits = entry["correct_digits"].get<int>();
-      EXPECT_TRUE(is_continued(source, std::pow(10.0, -digits))) << name << " is no case";
+      EXPECT_TRUE(is_continued(source, std::pow(10.0, -digits))) << name << " is not a case";
       continue;
     }
     const auto& state = entry["initial_state"];

@@ -144,7 +144,7 @@ TEST(CaseWithJacobian, IsTheDerivative) {
       p.jacobian(p.problem, t, y.data(), j.data());
       const double most = largest(j);
       std::vector<double> moved = y;
-      // Of many unknowns some columns, all kinds of neighbours among them.
+      // A problem of many unknowns has some columns checked, all kinds of neighbours among them.
       const std::size_t stride = n > 200 ? 37 : 1;
       for (std::size_t k = 0; k < n; k += stride) {
         // Components may be tiny where the solution is stiff: steps relative to their own size.

@@ -276,7 +276,7 @@ TEST(ForeignRuns, AProcessThatHangsIsAskedThreeTimesAndEndsWithoutItsParent) {
     orphan.call(0, 0, &x, 1, &x, 1);
   });
   while (seen[1] == 0) ::usleep(1000);
-  // By its id alone, as kill -9 does, and not with its group.
+  // The parent dies alone, as by kill -9, and not with its group.
   ::kill(parent, SIGKILL);
   ::waitpid(parent, nullptr, 0);
   int waited = 0;

@@ -51,7 +51,7 @@ TEST(ProposedScale, IsTheSizeOfEachState) {
   EXPECT_EQ(c.tolerance.threshold(1), 1e-6);
   const auto stated = [](const std::string& more) { return of_text(enzyme + more).units.scale; };
   EXPECT_EQ(stated("scale: {S: 1, E: 1, C: 1, P: 1}\n"), (Scale{1, 1, 1, 1}));
-  // That of the file is the unit of absolute tolerances as well.
+  // The scale of the file is the unit of absolute tolerances as well.
   const Case given = of_text(std::string(enzyme) + "scale: {S: 1e-2, E: 1e-5, C: 1e-5, P: 1e-4}\n");
   EXPECT_EQ(given.tolerance.threshold(1), 1e-5);
   EXPECT_TRUE(stated("tolerance: {relative: 1e-6, absolute: 1e-9}\n").empty());
@@ -102,7 +102,7 @@ TEST(ProposedScale, IsOfEachStateBesideFarLargerOnes) {
   EXPECT_EQ(trace.units.scale, (Scale{6e4, 4e-13, 1e-11}));
   std::vector<double> y(3);
   ASSERT_TRUE(trace.truth.at(20, y.data()));
-  // By SciPy's Radau and DOP853 at a relative 1e-12 of each state.
+  // Values of SciPy's Radau and DOP853 at a relative 1e-12 of each state.
   EXPECT_NEAR(y[1], 9.9576e-14, 1e-17);
   EXPECT_NEAR(y[2], 1.09004e-11, 1e-15);
   EXPECT_LT(trace.floor_of(1), 1e-10 * y[1]);

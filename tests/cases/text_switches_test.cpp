@@ -78,7 +78,7 @@ std::vector<std::string> with_peers(std::vector<std::string> solvers) {
 
 TEST(TextSwitches, AJumpOfAStiffSystemEndsNoRun) {
   const TextContest text(niles);
-  // By SciPy's Radau at 1e-12, in two pieces.
+  // Values of SciPy's Radau at 1e-12, in two pieces.
   const std::vector<double> end{57894747.957885, 701754.52140309, 37894.744158268, 14.035090428063};
   for (const char* solver : {"odeum/rodas4", "odeum/radau_iia5", "odeum/sdirk4", "odeum/seulex",
                              "odeum/bdf_variable", "odeum/esdirk43"}) {

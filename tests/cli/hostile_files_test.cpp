@@ -65,8 +65,8 @@ std::vector<Hostile> hostile_files() {
        ":1:29: particles[0].pos[0]: not finite"},
       {"folder.yaml", "", "got a directory, expected a file"},
       {"pipe.yaml", "", "got a FIFO, expected a file"},
-      {"text.fmu", "hello", "is no whole ZIP archive"},
-      {"cut.fmu", "PK\x03\x04" + std::string(100, '\0'), "is no whole ZIP archive"},
+      {"text.fmu", "hello", "is not a whole ZIP archive"},
+      {"cut.fmu", "PK\x03\x04" + std::string(100, '\0'), "is not a whole ZIP archive"},
       {"tableau.yaml", "name: t\nA: [[0, .nan]]\nb: [1]\n", ":2:5: A[1]: got a list", "verify"},
       {"mesh.msh", "$MeshFormat\n4.1 0 8\n", ":3:1: the section: not understood", "poisson"},
   };

@@ -44,7 +44,7 @@ TEST(RunOutputs, ChangeNoCountAndNoEnd) {
   EXPECT_EQ(shell(run + " --out " + folder.path().string() + rows).output, alone);
 }
 
-// Of an explicit method's run on a stiff problem the table had 10^7 rows, and took 10 GB to make.
+// The table of an explicit method's run on a stiff problem had 10^7 rows, and took 10 GB to make.
 TEST(RunOutputs, OfManyStepsTheTableHasTheShortestAndTheLongestOfGroups) {
   const TemporaryFolder folder;
   write_text(folder.path() / "stiff.yaml",

@@ -164,7 +164,7 @@ TEST_F(RunCommand, TellsThePageTheClosedFormOfAScheme) {
     EXPECT_NEAR(y[i].get<double>(), std::pow(0.99, 100 * time[i].get<double>()), 1e-8);
 }
 
-// Of a body in a plane the page draws the path: four components of an equation of second order.
+// The page draws the path of a body in a plane: four components of an equation of second order.
 TEST_F(RunCommand, TellsThePageOfABodyInAPlane) {
   ASSERT_EQ(run("kepler_e06 --solver rk4 --step 0.01" + out()).code, 0);
   EXPECT_EQ(page()["components"].size(), 4U);

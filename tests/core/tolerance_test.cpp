@@ -53,7 +53,7 @@ Case small_oscillator() {
   return c;
 }
 
-/// Of the oscillation, relative to its size, at the last stop.
+/// The error of the oscillation, relative to its size, at the last stop.
 double relative_error(const Outcome& outcome) {
   if (outcome.status != Status::ok) return std::numeric_limits<double>::infinity();
   const double* const end = outcome.states.data() + outcome.states.size() - 4;

@@ -70,8 +70,8 @@ TEST(PublishedNumbers, LowestEigenvalueOfTheLShape) {
   double before = 0;
   for (const std::size_t n : {16, 32, 64}) {
     const double excess = lowest_eigenvalue(l_shape(n)) - published;
-    // By the principle of the minimum; twice the order of the H1 error at the corner, 4/3, comes
-    // from above, since the rest of the region converges with order 2.
+    // The excess is positive by the principle of the minimum; twice the order of the H1 error at
+    // the corner, 4/3, comes from above, since the rest of the region converges with order 2.
     EXPECT_GT(excess, 0);
     if (before > 0) {
       const double order = std::log2(before / excess);

@@ -128,7 +128,7 @@ TEST_F(ProblemCommands, OtherStudiesTakeProblemsToo) {
   EXPECT_EQ(orders.find(",cvode,"), std::string::npos) << "--solver selects";
 }
 
-// Of studies without times; the page takes what the commands before it have measured.
+// The studies measure no times; the page takes what the commands before it have measured.
 TEST_F(ProblemCommands, AReportTakesTheResultsOfEarlierCommands) {
   const std::string with = " " + cases + "lotka_volterra.yaml --solver odeum/heun --out page";
   expect("converge" + with, 0, "heun");
@@ -200,7 +200,7 @@ TEST_F(ProblemCommands, WhatGoesWrongDuringARunIsAStatus) {
   }
   expect("run blow_up.yaml --solver dormand_prince54 --tol 1e-6 --until 2", 3, "status  ");
   expect("run blow_up.yaml --solver rk4 --step 0.1 --until 2", 3, "component 0");
-  // Past the pole at t = 1 a fixed step goes on, to a state that is no solution.
+  // Past the pole at t = 1 a fixed step goes on, to a state that is not a solution.
   const char* const past = " --step 0.05 --until 1.05";
   for (const char* solver : {"rk4", "heun", "rodas4", "implicit_euler_linearised"})
     expect("run blow_up.yaml --solver " + std::string(solver) + past, 3, "answer  wrong: ");

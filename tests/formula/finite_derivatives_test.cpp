@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Both, Entries,
                          ::testing::Values(TextOde::Code::compiled, TextOde::Code::interpreted));
 
 TEST(InfiniteDerivatives, AreDifferencesInsideOfTheDomain) {
-  // Of sqrt(x) at 0 a difference over d is 1 / sqrt(d), with d = 1.5e-11 for a state of size 1.
+  // A difference of sqrt(x) at 0 over d is 1 / sqrt(d), with d = 1.5e-11 for a state of size 1.
   const double d = std::sqrt(std::numeric_limits<double>::epsilon()) * 1e-3;
   for (const char* const equation : {"y - sqrt(x)", "-y - sqrt(x)"}) {
     const TextOde ode(formula::read_problem("f", text_of(equation, 0, 1)));

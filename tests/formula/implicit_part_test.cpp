@@ -49,10 +49,10 @@ TEST(ImplicitPart, IsTheTermsThatAreNamed) {
     const std::vector<double> found = implicit_part(text);
     for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(found[k], values[k], 1e-14) << text << ' ' << k;
   };
-  // By terms: in another order, with the sign within a factor, of indexed states.
+  // Parts given by terms: in another order, with the sign within a factor, of indexed states.
   expect("{u: -(B + 1)*u, v: k*sin(t) + B*u}", {-1.2, 0.9 + std::sin(0.4), 0, 0, 0});
   expect("{'w[1..2]': '-c*(w[i] - u)'}", {0, 0, -6 * 0.4, -6 * 1.7, 0});
-  // By name: a whole equation, or all terms in which a definition is.
+  // Parts given by name: a whole equation, or all terms in which a definition is.
   expect("[u]", {1 + r - 1.2, 0, 0, 0, 0});
   expect("[w]", {0, 0, -2.4 + 0.7 * r, -10.2 + 2 * r, 19.8 - 3 * r});
   expect("[r]", {r, -r, 0.7 * r, 2 * r, -3 * r});

@@ -66,7 +66,7 @@ TEST(MassMatrix, IsOfSecondOrder) {
   EXPECT_TRUE(made.has_tag("second_order"));
   EXPECT_TRUE(made.has_tag("separable"));
   ASSERT_TRUE(made.energy);
-  // By hand, in the positions of the masses.
+  // The energy worked out by hand, in the positions of the masses.
   const double x1 = 0.75, x2 = 0.25, v1 = -0.15, v2 = 0.15;
   EXPECT_NEAR(made.energy(made.y0.data()),
               (v1 * v1 + 3 * v2 * v2 + 4 * x1 * x1 + 5 * x2 * x2 + 2 * (x1 - x2) * (x1 - x2)) / 2,

@@ -172,7 +172,7 @@ TEST(ProblemReader, TooMuch) {
                "1:10: ", "too many");
   expect_fault("states: {u[1..1000000000]: 1}\nequations: {x: 1}\ntime: {end: 1}\n",
                "1:10: ", "too many");
-  // A long sum is no deep nesting.
+  // A long sum is not nested deeply.
   std::string sum = "x";
   for (int k = 1; k < 9'000; ++k) sum += " + " + std::to_string(k) + "*x";
   EXPECT_EQ(fault_of(with_equation(sum)), "");

@@ -117,8 +117,8 @@ TEST(Amplification, OfFastOscillationsIsMeasuredExplicitly) {
   }
 }
 
-// Of 726 unknowns random directions are followed: a cloth that swings neither damps errors much nor
-// lets them explode within 2 s.
+// Random directions are followed for 726 unknowns: a cloth that swings neither damps errors much
+// nor lets them explode within 2 s.
 TEST(Amplification, OfManyUnknownsIsTakenFromRandomDirections) {
   const Case& c = find_case("cloth11_two_way");
   const judge::Amplification found = judge::measure_amplification(c, c.stops);
@@ -170,7 +170,7 @@ TEST(Answer, OfTheSizeOfTheSolutionIsExplainedByNoLinearBound) {
     return judge::judge_answer(errors, found, 1e-4, 4000, c.truth.floor, judge.scale());
   };
   const double linear = 1e-4 * 4000 * found.at_stops.back();
-  ASSERT_GT(linear, 1.6) << "else it is no test";
+  ASSERT_GT(linear, 1.6) << "else it tests nothing";
   EXPECT_EQ(judged(1.6).answer, Answer::wrong);
   EXPECT_NE(judged(1.6).reason.find("half of the solution"), std::string::npos);
   // What implicit Euler comes to there.

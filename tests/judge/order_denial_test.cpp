@@ -200,7 +200,8 @@ TEST(OrderDenial, ADipOfTheErrorIsNoLowerOrder) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double h = steps[k];
     points[k].step = h, points[k].steps = 10 / h;
-    // Of order 5.5 down to the sixth; then smaller by chance, and from there on of order 3.5.
+    // The order is 5.5 down to the sixth; then errors are smaller by chance, and from there on of
+    // order 3.5.
     points[k].error =
         k < 6 ? 0.01 * std::pow(h, 5.5) : 0.01 * std::pow(0.09, 5.5) / 30 * std::pow(h / 0.07, 3.5);
   }

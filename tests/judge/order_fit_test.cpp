@@ -200,7 +200,7 @@ TEST(OrderFit, ExactIsWhatIsRoundingAtTheCoarsestStepsToo) {
   EXPECT_NE(fit_fixed(ladder(2, 8, inexact), 4).verdict, Verdict::higher);
 }
 
-// Four close points that agree by chance are no window: it has a minimal width.
+// Four close points that agree by chance are not a window: it has a minimal width.
 TEST(OrderFit, AWindowSpansSteps) {
   const auto points = ladder(1.05, 4, [](double h) { return std::pow(h, 4); });
   EXPECT_NE(fit_fixed(points, 4).verdict, Verdict::confirmed);

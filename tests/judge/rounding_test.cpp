@@ -9,7 +9,7 @@
 namespace odeum::judge::rounding_test {
 namespace {
 
-// Of some cases no number of steps within the bounds of the study meets every stop.
+// No number of steps within the bounds of the study meets every stop of some cases.
 TEST(Rounding, HasAGainForEveryCase) {
   for (const Case& c : all_cases()) {
     const double gain = perturbation_gain(c);

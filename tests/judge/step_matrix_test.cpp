@@ -42,8 +42,8 @@ TEST(StepMatrix, AMultistepMethodIsNone) {
   EXPECT_GT(step_of("damped_oscillator_undamped", "odeum/bdf2", 0.1).rest, 1e-3);
 }
 
-// A rotation by an angle that is no part of a circle, a triple eigenvalue 1, and growth that only
-// many steps show.
+// A rotation by an angle that is not a part of a circle, a triple eigenvalue 1, and growth that
+// only many steps show.
 TEST(Powers, TellBoundedPolynomialAndExponentialGrowth) {
   const double c = std::cos(0.3), s = std::sin(0.3);
   EXPECT_EQ(consequence(powers_of({c, -5 * s, s / 5, c}, 2), 10), "stays bounded");

@@ -65,7 +65,7 @@ class FivePoint : public ::testing::Test {
     EXPECT_EQ(outcome.status, IterationStatus::converged);
     EXPECT_EQ(outcome.residuals.size(), outcome.iterations + 1);
     EXPECT_LE(outcome.residuals.back(), 1e-10);
-    // By |A^-1| < 14 and |b| < 12 no component is further off.
+    // No component is further off, since |A^-1| < 14 and |b| < 12.
     for (std::size_t i = 0; i < exact_.size(); ++i)
       ASSERT_NEAR(outcome.x[i], exact_[i], 14 * 12 * 1e-10);
   }

@@ -148,7 +148,7 @@ TEST(Verify, SaysWhatTheAuthorsOfAPairLookAt) {
               1e-12);
   EXPECT_TRUE(v.quality.remarks().empty());
   EXPECT_NE(text.find("B = 1.54, C = 1.67, E = 0.337"), std::string::npos) << text;
-  // One and a half times the difference is no fault, but it shows.
+  // One and a half times the difference is not a fault, but it shows.
   const proof::Verification more = verified(dormand_prince(mpq_class(33, 20)), text);
   EXPECT_TRUE(more.passed());
   EXPECT_NEAR(more.quality.embedded_principal_error / v.quality.embedded_principal_error, 1.65,

@@ -53,7 +53,7 @@ TEST(Store, HoldsWhatWasAddedWhateverItsCharacters) {
   EXPECT_EQ(again.taken(), store.added());
 }
 
-// A line cut anywhere, and one in which a character changed, is no result and spoils no other.
+// A line cut anywhere, and one in which a character changed, is not a result and spoils no other.
 TEST(Store, ALineThatIsNotAsItWasWrittenIsNone) {
   const TemporaryFolder folder;
   Store(folder.path()).add("dependencies", "first", "1");

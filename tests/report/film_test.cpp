@@ -47,7 +47,7 @@ TEST(Picture, IsAPngFile) {
   const std::string png = png_of(3, 2, std::vector<std::uint8_t>(18, 7));
   EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
   EXPECT_EQ(png.substr(12, 12), std::string("IHDR\0\0\0\3\0\0\0\2", 12));
-  // Of the end, the same in every file.
+  // The bytes of the end are the same in every file.
   EXPECT_EQ(png.substr(png.size() - 12), std::string("\0\0\0\0IEND\xae\x42\x60\x82", 12));
 }
 

@@ -209,7 +209,7 @@ TEST(Page, EarlierResultsStayBesideNewOnes) {
             data.convergence.orders.size());
   page = page_of(read_back, false, false);
   EXPECT_EQ(names_of(page["tables"]), (std::vector<std::string>{"stability_limits"}));
-  // What is no page of this version is left aside.
+  // A file that is not a page of this version is left aside.
   for (const char* damaged : {"", "{", "[1]", "{\"schema\": 0, \"tables\": [{\"name\": \"x\"}]}"}) {
     tests::write_text(folder.path() / "page.json", damaged);
     page = page_of(read_back, false, true);

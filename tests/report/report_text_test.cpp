@@ -56,7 +56,7 @@ TEST(SharedFiles, LieBesideTheProgram) {
 
 TEST(SharedFiles, ATemplateIsFilledIn) {
   const std::string page = filled_template("viewer/replay/replay.html", "{\"a\":\"{{data}}\"}");
-  EXPECT_NE(page.find("{\"a\":\"{{data}}\"}"), std::string::npos) << "data are no template";
+  EXPECT_NE(page.find("{\"a\":\"{{data}}\"}"), std::string::npos) << "data are not a template";
   EXPECT_EQ(page.find("{{include"), std::string::npos);
 }
 

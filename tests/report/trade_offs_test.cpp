@@ -127,8 +127,8 @@ double verlet_step(const std::string& case_id) {
 struct Number {
   const char* name;
   std::function<double()> measure;
-  /// By which part it may differ: rounding of the text; more where a compiler's choice of fused
-  /// operations changes which steps a solver rejects.
+  /// The relative difference that is allowed: rounding of the text; more where a compiler's choice
+  /// of fused operations changes which steps a solver rejects.
   double allowed = 0.06;
 };
 constexpr double steps_vary = 0.25;

@@ -178,7 +178,7 @@ TEST(Documents, SpeedHasNoNumberTypedByHand) {
   for (const std::string& each : all_matches(text, number)) ADD_FAILURE() << each;
 }
 
-// A group without its revision, date and processor, or a group that is gone, is no measurement.
+// A group without its revision, date and processor, or a group that is gone, is not a measurement.
 TEST(Documents, SpeedSaysWhereEachGroupWasMeasured) {
   std::istringstream rows(text_of(root / "reports/measured/speed.csv"));
   static const std::regex place(

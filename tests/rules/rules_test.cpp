@@ -48,7 +48,7 @@ TEST(Rules, IncludesPointDown) {
   ASSERT_GE(rooms.size(), 20U) << "the table of rooms in CONTRIBUTING.md was not found";
   for (const std::string& room : rooms) {
     const std::size_t name = room.find("/<name>");
-    EXPECT_TRUE(fs::is_directory(root / room.substr(0, name))) << room << " is no folder";
+    EXPECT_TRUE(fs::is_directory(root / room.substr(0, name))) << room << " is not a folder";
   }
   expect_only_known(upward_includes(root, rooms), "include");
 }

@@ -40,7 +40,8 @@ std::optional<Place> place_of(const std::string& file, const std::vector<std::st
   return {};
 }
 
-/// The file that an include names, relative to the root; none where it is no file of the checkout.
+/// The file that an include names, relative to the root; none where it is not a file of the
+/// checkout.
 std::optional<std::string> resolve(const fs::path& root, const std::string& file,
                                    const std::string& included) {
   // The one generated header that stands for files of a room.

@@ -103,7 +103,7 @@ TEST(ParticleDrag, ActsOnItsParticleAlone) {
   }
 }
 
-// Terms that a scene does not have are no objects, and cost no call.
+// Terms that a scene does not have are not objects, and cost no call.
 TEST(AbsentTerms, AreNotThere) {
   const SceneProblem bare(
       read(with_particles("springs: [{particle_ids: [0, 1], stiffness: 5, rest_length: 0.5}]\n")));

@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"fractional_id", springs("particle_ids: [0, 1.5], stiffness: 3"),
               "no whole number; got 1.5"},
         Fault{"octal_id", springs("particle_ids: [0, 01], stiffness: 3"),
-              "a leading zero, which YAML takes as octal; got 01"},
+              "a leading zero makes this an octal number in YAML; got 01"},
         Fault{"huge_id", springs("particle_ids: [0, 99999999999999999999], stiffness: 3"),
               "out of range"},
         Fault{"three_ids", springs("particle_ids: [0, 1, 1], stiffness: 3"),

@@ -122,7 +122,8 @@ TEST(Surface, MomentumAndAngularMomentumAreKept) {
   EXPECT_GT(problem.potential(q), 0);
 }
 
-// By central differences, as in scene_terms_test.cpp; friction changes over friction_speed.
+// Compares with central differences, as scene_terms_test.cpp does; friction changes over
+// friction_speed.
 TEST(Surface, TheJacobianIsExact) {
   for (const char* const friction : {"0", "0.3"}) {
     const SceneProblem problem(read(with_friction(friction)));

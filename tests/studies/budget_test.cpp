@@ -75,7 +75,7 @@ TEST(Budget, ThatEndsALadderOfTolerancesSaysWhatTheNextOneTakes) {
                said = number_after(fit.reason, "takes about ");
   ASSERT_GT(said, 1'250) << fit.reason;
   const double taken = evaluations_of(Mode::adaptive, "odeum/tr_bdf2", tolerance);
-  // By the rate between the last two tolerances.
+  // The foreseen cost follows the rate between the last two tolerances.
   EXPECT_GT(said, 0.4 * taken) << fit.reason;
   EXPECT_LT(said, 2.5 * taken) << fit.reason;
 }

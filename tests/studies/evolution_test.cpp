@@ -49,8 +49,8 @@ TEST(Evolution, CheapestPairsHaveTheLeastWork) {
   EXPECT_GE(reached, 9U);  // 1e-2 by every solver
 }
 
-// Of explicit solvers it is the products: entries of K times evaluations. With d divisions K has
-// 5 (d - 1)^2 - 4 (d - 1) entries, and those along the diagonals of the squares, which are 0.
+// The work of explicit solvers is their products: entries of K times evaluations. With d divisions
+// K has 5 (d - 1)^2 - 4 (d - 1) entries, and those along the diagonals of the squares, which are 0.
 TEST(Evolution, WorkIsCounted) {
   std::size_t seen = 0;
   for (const EvolutionRow& row : result().runs) {

@@ -60,7 +60,7 @@ TEST(PlannedTasks, TakeWhatIsKnownOrNearest) {
   EXPECT_EQ(tasks.seconds[0], 5);
   EXPECT_EQ(tasks.seconds[2], 5);
   EXPECT_EQ(tasks.seconds[8], 7);
-  // Those of a study that times are not done for a plan.
+  // Tasks of a study of times are not done for a plan.
   tasks.add(2, [](std::size_t) { return std::nan(""); }, {});
   EXPECT_EQ(tasks.seconds.size(), 12U);
   EXPECT_TRUE(tasks.alone[11]);

@@ -154,8 +154,8 @@ TEST(Precision, WhatIsFarBehindIsTimedOnce) {
     often += row.solver == "verner98" && row.repetitions > 1;
   }
   EXPECT_GE(once, 1U);
-  // Of ten settings; a stall of the machine during its first repetition makes a run seem far
-  // behind.
+  // The bound is half of ten settings: a stall of the machine during its first repetition makes a
+  // run seem far behind.
   EXPECT_GE(often, 5U);
 }
 

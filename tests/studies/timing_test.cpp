@@ -54,7 +54,7 @@ TEST(Timing, ARunThatFailsWhenTimedHasNoTime) {
   EXPECT_EQ(solvers[1].trials[0].row.detail, "the timed run ended newton_failed: made up");
 }
 
-// Of a run that is far behind and takes a millisecond an evaluation, the guarded run is the timing.
+// A run that is far behind and takes a millisecond an evaluation is timed by its guarded run.
 TEST(Timing, ASlowRunIsNotMadeTwice) {
   const TimedCase stage(find_case("lotka_volterra"));
   int solves = 0;

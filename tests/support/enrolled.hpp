@@ -17,7 +17,7 @@ inline std::vector<Entrant> enrolled_on(const ErasedContest& contest,
   return entrants;
 }
 
-/// Those that a library adds.
+/// The entrants that a library adds.
 inline std::vector<Entrant> enrolled_on(const ErasedContest& contest,
                                         void (*add_solvers)(std::vector<Solver>&)) {
   std::vector<Solver> solvers;

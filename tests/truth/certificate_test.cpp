@@ -15,7 +15,8 @@ namespace {
 using Said = Certificate::Said;
 using Real = long double;
 
-/// Of the claim that the first state is `exact`, off by `off`, and the others as the text has them.
+/// The certificate of the claim that the first state is `exact`, off by `off`, and the others as
+/// the text has them.
 Certificate certificate_of(const std::string& text, const std::function<Real(Real)>& exact,
                            double floor, double off = 0) {
   const formula::Problem problem = formula::read_problem("text.yaml", text);
@@ -118,7 +119,7 @@ TEST_F(CertificateOf, ProvesTheReferencesOfCases) {
     EXPECT_NE(words.find("; proved: "), std::string::npos) << id << ": " << words;
   }
   const Case& scene = tests::find_case("cloth11_two_way");
-  EXPECT_EQ(cases::with_proof(scene), scene.truth.source) << "it is no text";
+  EXPECT_EQ(cases::with_proof(scene), scene.truth.source) << "it is not a text";
 }
 
 TEST_F(CertificateOf, IsOfTheEquationsThatAUsersTextStates) {

@@ -30,7 +30,7 @@ cases::TextTruth truth_of(const std::string& text) {
 
 const double pi = std::numbers::pi;
 
-// Of published questions and bug reports, and of closed forms.
+// Problems from published questions and bug reports, and from closed forms.
 const Text known[] = {
     {"impulse",
      "{states: {y: 0}, equations: {y: 'if(abs(t - 37.123456) < 5e-12, 1e11, 0) - 0.1*y'},"
@@ -125,8 +125,8 @@ TEST_P(Known, ToTheirFloors) {
 INSTANTIATE_TEST_SUITE_P(Texts, Known, testing::ValuesIn(known),
                          [](const auto& instance) { return instance.param.name; });
 
-// A slope without bound at a time that the equations name, or at a state that they pass, is no end
-// of the solution: y = 2 sqrt(t - 1.5) + ... goes on.
+// A slope without bound at a time that the equations name, or at a state that they pass, does not
+// end the solution: y = 2 sqrt(t - 1.5) + ... goes on.
 TEST(Unknown, AFiniteSolutionIsNotCalledInfinite) {
   for (const char* equations :
        {"{y: 1/sqrt(abs(t - 1.5))}", "{y: 'abs(t - 1.5)^(-0.25)'}", "{y: -1/sqrt(abs(y + 1))}"}) {

@@ -85,7 +85,7 @@ const checks = {
     for (const [source, sentence] of [['1 +', 'ends too early'], ['(1', ') was expected'], ['1 2', 'more than one expression'], ['nothing(1)', 'there is no function nothing'], ['errors + 1', 'there is no column errors in runs: library, solver, error, steps, ok'], ['max(limit of none)', 'there are no rows none'], ['max(missing of limits)', 'there is no column missing in limits'], ['steps ; 1', '";" was not expected'], ['* 2', '* was not expected'], ['steps == ', 'ends too early'], ['constructor(1)', 'there is no']])
       hold(errorOf(() => at(source)).includes(sentence), `${source}: ${errorOf(() => at(source))}`);
     hold(errorOf(() => shown('{steps | .3q}')).includes('there is no format .3q'), 'a format that there is not');
-    hold(errorOf(() => specOf('rows: a\nnonsense')).includes('"nonsense" is no key: value'), 'a block');
+    hold(errorOf(() => specOf('rows: a\nnonsense')).includes('"nonsense" is not key: value'), 'a block');
     hold(errorOf(() => specOf('  indented')).includes('stands under no key'), 'a list without a key');
   },
   'formats'() {
@@ -101,7 +101,7 @@ const checks = {
     same(specOf('rows: runs where ok == ok\ncolumns:\n  a = steps | d\n  solver\n\nsort: steps'), { rows: 'runs where ok == ok', columns: ['a = steps | d', 'solver'], sort: 'steps' }, 'keys');
     same(columnOf('the steps = steps | d').heading, 'the steps', 'a heading');
     same(columnOf('{library} | d').heading, 'library', 'a heading of its own');
-    same(columnOf('x == y').heading, 'x == y', '== is no heading');
+    same(columnOf('x == y').heading, 'x == y', '== is not a heading');
   },
   'scripts add one name, say what they hold, and are read without scrolling'() {
     const viewer = readdirSync(join(root, 'reports/viewer')).filter((name) => name.endsWith('.js')), studies = join(root, 'src/odeum/studies');
@@ -205,7 +205,7 @@ const checks = {
     const changed = remark(-0.07, 1), shared = remark(0.01, 0.6);
     hold(/whose speed changed by 7 %/.test(changed) && !/other programs/.test(changed), changed);
     hold(/other programs ran: .* 60 % .* changed by 1 %/.test(shared), shared);
-    // What was not measured is no number.
+    // A value that was not measured is not a number.
     const unknown = [remark(NaN, 0.6), remark(0.2, NaN)];
     hold(unknown.every((text) => text && !text.includes('NaN')), unknown.join(' '));
   },

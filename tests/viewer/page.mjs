@@ -161,7 +161,8 @@ const checks = {
       await drawn();
       const added = await browser.run(`(() => { const f = document.body.appendChild(document.createElement('iframe')), own = new Set(Object.getOwnPropertyNames(f.contentWindow)); f.remove(); return Object.getOwnPropertyNames(window).filter((name) => !own.has(name) && !/^[0-9]+$/.test(name)); })()`);
       hold(String(added.sort()) === 'd3,markdownit,odeum', `${hash}: ${added}`);
-      // A const or class of a script is no property of the window, but would be found by its name.
+      // A const or class of a script is not a property of the window, but would be found by its
+      // name.
       hold(await browser.run(`[typeof facts, typeof html, typeof Rows, typeof blocks].every((kind) => kind === 'undefined')`), `${hash}: names of scripts are global`);
     }
   },
@@ -237,7 +238,7 @@ const checks = {
   async 'the tab key reaches every control, in the order of the page, and each has a name'() {
     await browser.go(`${address}#compare?case=damped_oscillator_underdamped&x=step&show=odeum/rk4:fixed,gsl/rk4:fixed`);
     await drawn();
-    // Of a group of which one is chosen the arrows reach the others; the list of methods is opened on demand.
+    // The arrows reach the others of a group of which one is chosen; the list of methods is opened on demand.
     const count = await browser.run(`(() => {
       const all = [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter((e) => e.tabIndex >= 0 && !e.disabled && e.checkVisibility());
       all.forEach((e, i) => { e.dataset.place = i; });

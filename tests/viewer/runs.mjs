@@ -131,7 +131,7 @@ const checks = {
   async 'without scripts the page names its files'() {
     const index = readFileSync(join(folder, 'case/index.html'), 'utf8');
     for (const name of ['trajectory.csv', 'runs.csv', 'manifest.json']) hold(index.includes(`<a href="${name}">`), name);
-    hold(!index.includes('<a href="schemes">'), 'rows for the page alone are no file');
+    hold(!index.includes('<a href="schemes">'), 'rows for the page alone are not a file');
   },
 };
 

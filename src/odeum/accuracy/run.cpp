@@ -44,7 +44,8 @@ void print_costs(const study::ConvergenceResult& result) {
   fmt::print("{}", table.text());
 }
 
-/// Of the solver that is tested; those of `beside` stand in the files and are compared by cost.
+/// Checks the order of the solver under test; the solvers of `beside` stand in the files and are
+/// compared by cost.
 int check_order(const std::string& case_id, const std::string& folder,
                 const std::vector<std::string>& beside) {
   const Case& c = known_case(case_id);

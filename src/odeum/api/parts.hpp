@@ -147,8 +147,8 @@ class UntilEvent {
 };
 
 /// Ends the run at the first step in which g(t, y) changes its sign, at the time and with the state
-/// of the change. A g that is zero where the run begins is no event; two changes within one step
-/// are not seen.
+/// of the change. A g that is zero where the run begins is not an event; two changes within one
+/// step are not seen.
 template <class G>
 UntilEvent<G> until_event(G g, Crossing crossing = Crossing::any) {
   return UntilEvent<G>(std::move(g), crossing);

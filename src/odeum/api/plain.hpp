@@ -78,8 +78,8 @@ class Plain : public Guarded<P, EvaluationCount> {
                           {f_.data(), moved_.data(), f_moved_.data()}, weights_);
     }
   }
-  /// By central differences where the problem has none: a Rosenbrock method would lose its order
-  /// on a problem that depends on t and is taken for autonomous.
+  /// Uses central differences where the problem has no time derivative: a Rosenbrock method would
+  /// lose its order on a problem that depends on t and is taken for autonomous.
   void time_derivative(double t, const double* y, double* dfdt) const requires in_double {
     const std::size_t n = this->size();
     if constexpr (NonAutonomous<P>) {

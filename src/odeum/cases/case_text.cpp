@@ -112,7 +112,7 @@ std::vector<double> CaseText::thresholds() {
   return all;
 }
 
-// Those of `parameters`, of `meanings`, or all.
+// Offers the names under `parameters`, else those under `meanings`, else every parameter.
 void CaseText::read_offered() {
   const std::vector<Item> meanings = mapping("meanings");
   const auto require = [&](const std::string& name, Place place, const char* in) {

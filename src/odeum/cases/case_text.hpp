@@ -51,7 +51,7 @@ class CaseText : protected formula::CaseSection {
            whole ? " whole" : "", whole ? 1 : 0);
     value = static_cast<Number>(number);
   }
-  /// Those of the case, else of the problem; they ascend from its start.
+  /// The stops of the case, else of the problem; they ascend from its start.
   std::vector<double> stops();
   /// One positive number for each state.
   std::vector<double> thresholds();

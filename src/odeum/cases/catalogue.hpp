@@ -12,7 +12,7 @@ namespace odeum {
 struct Statement {
   std::string id;
   std::string title;
-  /// Those that its author gives; a text has those besides that follow from its equations.
+  /// Tags given by the author. A text gains those that follow from its equations.
   std::vector<std::string> tags;
   /// The rest of the case, before its truth where that has to be computed. Throws InputError for a
   /// text that is wrong.

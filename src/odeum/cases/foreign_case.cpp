@@ -69,7 +69,8 @@ bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& wo
   return false;
 }
 
-/// Those with which plug-ins' exact solutions are compared: nothing of foreign code is run for it.
+/// Chooses the steps with which plug-ins' exact solutions are compared, without running foreign
+/// code.
 void usual_steps(Case& c) {
   const std::uint64_t multiple = steps_multiple(c.t0, c.stops);
   c.settings.steps_multiple = std::max<std::uint64_t>(multiple, 1);

@@ -16,10 +16,10 @@ struct LinearForm {
   std::vector<double> b;                          ///< at the start
   bool b_varies = false;                          ///< with t
   std::vector<std::complex<double>> eigenvalues;  ///< of A, conjugates and multiple ones too
-  /// By component, as an expression in t (in s = t - t0 where the case does not start at 0): a sum
-  /// of products of powers, exponentials, sines and cosines, of 10 digits. Agrees with the matrix
-  /// exponential to 1e-9 of the state's size up to the horizon; empty where none does, or where b
-  /// varies.
+  /// The solution of each component as an expression in t (in s = t - t0 where the case does not
+  /// start at 0): a sum of products of powers, exponentials, sines and cosines, of 10 digits.
+  /// Agrees with the matrix exponential to 1e-9 of the state's size up to the horizon; empty where
+  /// none does, or where b varies.
   std::vector<std::string> solution;
 };
 

@@ -20,7 +20,7 @@ concept InExtendedPrecision = Ode<P> &&(
     requires(const P& p, const long double* y, long double* f) { p.rhs(0.0L, y, f); } ||
     requires(const P& p, const long double* q, long double* a) { p.acceleration(0.0L, q, q, a); });
 
-/// That problem in extended precision, without a truth.
+/// The problem in extended precision, without a truth.
 template <InExtendedPrecision P>
 ExtendedProblem in_extended_precision(std::shared_ptr<const P> problem,
                                       const std::vector<double>& y0) {

@@ -97,8 +97,8 @@ Vector arnoldi(const Case& c, const Moment& at, std::size_t most, std::size_t& s
 
 using Eigenvalues = std::vector<std::complex<double>>;
 
-/// Those of Arnoldi's matrix that its leading part has too, to a hundredth, and the largest: others
-/// are no eigenvalues yet.
+/// Keeps the eigenvalues of Arnoldi's matrix that its leading part shares to a hundredth, and the
+/// largest; the others have not converged.
 Eigenvalues settled(const Vector& matrix, std::size_t size) {
   const std::size_t part = size * 3 / 4;
   Vector leading(part * part);

@@ -8,7 +8,7 @@
 
 namespace odeum::cases {
 
-/// Of a problem up to `end`, with the sides on which conditions have settled.
+/// The switches of a problem up to `end`, with the sides on which conditions have settled.
 std::vector<Switch> switches_of(const formula::Problem& problem, double end);
 
 /// What ErasedContest::switches is of a problem; empty where no condition is one of the time alone.
@@ -16,7 +16,7 @@ std::vector<Switch> switches_of(const formula::Problem& problem, double end);
 std::function<std::vector<Switch>(double from, double to)> switches_of(
     const formula::Problem& problem);
 
-/// Those after or at `from`.
+/// The switches at or after `from`.
 std::vector<Switch> from_time(std::vector<Switch> switches, double from);
 
 }  // namespace odeum::cases

@@ -14,8 +14,8 @@ struct TextTruth {
   Truth truth;
   std::function<bool(double t, long double* y)> extended;
   double extended_floor = 0;
-  /// Those of the problem's stops at which the truth is known; where it is known at none, the last
-  /// time at which it is; empty: at no time.
+  /// The problem's stops at which the truth is known; where it is known at none, the last time at
+  /// which it is; empty: at no time.
   std::vector<double> stops;
   double known_until = 0;
   std::string words;  ///< for people: where it comes from and how many digits it has

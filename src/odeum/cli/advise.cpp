@@ -69,7 +69,7 @@ struct Range {
   }
 };
 
-/// Of `k=0.5..2`. Throws UsageError.
+/// Reads `k=0.5..2`. Throws UsageError.
 Range range_of(const std::string& text) {
   const std::size_t equals = text.find('='), dots = text.find("..");
   Range range{text.substr(0, equals), 0, 0};

@@ -83,10 +83,11 @@ std::string text_of_step(const Case& c, const cases::LinearForm& form, const Sol
   if (step.rest > rounding)
     return lines_of(
         {{"one step",
-          fmt::format("{} at h = {:g} is no matrix on the last state: eight steps differ from the "
-                      "eighth power of the first by {:.2g} of the state (it keeps earlier states, "
-                      "or solves its stages inexactly)",
-                      id, h, step.rest)},
+          fmt::format(
+              "{} at h = {:g} is not a matrix on the last state: eight steps differ from the "
+              "eighth power of the first by {:.2g} of the state (it keeps earlier states, "
+              "or solves its stages inexactly)",
+              id, h, step.rest)},
          {"solution", of_solution}});
   Facts facts{{"one step", fmt::format("{} at h = {:g}: u becomes R u + r", id, h)},
               {"R", cases::text_of_matrix(step.matrix, form.size)},
@@ -107,7 +108,7 @@ const Solver& fixed_step_solver(const Case& c, const std::string& name) {
   const auto& all = all_solvers();
   const auto at = std::ranges::find_if(all, [&](const Solver& s) { return s.info.id() == id; });
   if (at == all.end() || !at->info.fixed)
-    throw UsageError("--solver: {} takes no fixed steps, so that its step is no one matrix", id);
+    throw UsageError("--solver: {} takes no fixed steps, so that its step is not one matrix", id);
   return *at;
 }
 

@@ -43,8 +43,8 @@ Case changed(const Case& c, const Assignments& sets) {
 
 }  // namespace
 
-// The values of an option, in their order. Throws UsageError for what is no NAME=NUMBER, a number
-// that is not finite, and a name that is given twice.
+// The values of an option, in their order. Throws UsageError for a text other than NAME=NUMBER, a
+// number that is not finite, and a name that is given twice.
 Assignments assignments(const char* option, const std::vector<std::string>& texts) {
   Assignments sets;
   for (const std::string& text : texts) {

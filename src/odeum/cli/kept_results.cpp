@@ -20,7 +20,7 @@
 namespace odeum::cli {
 namespace {
 
-/// Of the program's file, block by block: every shard of a plan begins with it.
+/// Sums the program's file, block by block: every shard of a plan begins with it.
 std::uint64_t sum_of_program() {
   std::ifstream in("/proc/self/exe", std::ios::binary);
   constexpr std::size_t words = 1U << 13U, lanes = 4;

@@ -18,7 +18,7 @@ struct PlanFile {
 };
 
 std::string sum_of(const std::string& text);
-/// Of this program and its plug-ins.
+/// Fingerprint of this program and its plug-ins.
 std::string program_sum();
 
 /// Throws UsageError for a folder without a sound plan.

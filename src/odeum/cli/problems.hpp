@@ -39,8 +39,8 @@ void require_no_choice(const std::string& what, const std::string& chosen);
 /// Empty where none does. Throws UsageError for equations that are not printed.
 std::string struct_of(const Case& c, const SolverInfo& solver);
 
-/// The values that words after --set give, by name. Throws UsageError for what is no NAME=VALUE,
-/// and for a name that is given twice.
+/// The values that words after --set give, by name. Throws UsageError for a word other than
+/// NAME=VALUE, and for a name that is given twice.
 formula::Overrides overrides_of(const std::vector<std::string>& sets);
 /// The words that say `sets`, the chosen case and the plug-ins of `command`, each after a space.
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command);

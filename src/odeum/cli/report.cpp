@@ -58,7 +58,7 @@ std::vector<study::Options> restricted_to(std::vector<study::Options> runs, cons
   return left;
 }
 
-/// Of a study on the cases that were named, or what it has of its own for a report.
+/// The runs of a study: on the cases that were named, or those that it declares for a report.
 std::vector<study::Options> runs_of(const study::Study& study, const Options& options) {
   const bool takes_cases = !study.declaration().cases_help.empty();
   if (options.given.empty())

@@ -94,7 +94,7 @@ RunSettings settings_for(const Case& c, RunSettings settings) {
     settings.tolerance = c.tolerance.requested(settings.tolerance->relative);
   if (settings.named_absolute.empty()) return settings;
   const std::vector<std::string> names = component_names(c);
-  // Of the others: as given by a number, else by the case's own thresholds.
+  // The other components have the number that was given, else the case's own thresholds.
   const Tolerance others = settings.tolerance->absolutes().empty()
                                ? c.tolerance.requested(settings.tolerance->relative)
                                : *settings.tolerance;

@@ -22,7 +22,7 @@ struct RunSettings {
   std::optional<std::uint64_t> steps;
   std::optional<Tolerance> tolerance;
   bool absolute_given = false;  ///< by --atol: a case's own thresholds do not hold
-  /// By --atol NAME=A, of components by their names.
+  /// Absolute tolerances of components by their names, from --atol NAME=A.
   std::vector<std::pair<std::string, double>> named_absolute;
   std::optional<double> until;
   std::optional<double> every;  ///< between outputs

@@ -35,8 +35,8 @@ const double* state_at(const Case& c, const trajectories::CaseRun& run, double t
   return run.outcome.states.data() + static_cast<std::size_t>(stop) * c.y0.size();
 }
 
-/// Of each component in its own unit, beside its value; of many those with the largest errors in
-/// the units of the case.
+/// The error of each component in its own unit, beside its value; of many components only those
+/// with the largest errors in the units of the case.
 std::string errors_by_state(const Case& c, const trajectories::CaseRun& run, double time) {
   constexpr std::size_t few = 8;
   std::vector<double> exact(c.y0.size());

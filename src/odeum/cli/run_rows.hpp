@@ -50,11 +50,11 @@ struct RunError {
   judge::StopError error;
   double floor = nan;
   judge::JudgedAnswer judged;
-  bool diverged = false;  ///< the run ended ok and is no solution, of whatever accuracy
+  bool diverged = false;  ///< the run ended ok and is not a solution of any accuracy
 };
 
-/// Of a run to a tolerance it measures the amplification of errors, which may take longer than the
-/// run.
+/// The error of a run. For a run to a tolerance it measures the amplification of errors, which may
+/// take longer than the run.
 RunError error_of(const Case& c, const trajectories::CaseRun& run);
 
 /// `errors`: of each run.
@@ -64,8 +64,8 @@ RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs,
 /// `82 evaluations, 3 Jacobians, 214 products in linear solvers`.
 std::string cost_text(const Counters& counters);
 
-/// Of a run whose error waits for the truth: how it ended, and its end state where it has few
-/// numbers. `seconds`: of the processor.
+/// What a run that waits for the truth has shown so far: how it ended, and its end state where it
+/// has few numbers. `seconds`: of the processor.
 std::string first_text(const trajectories::CaseRun& run, std::size_t numbers, double seconds);
 
 /// Lines: the error, whether the tolerance explains it, and what else the run shows.

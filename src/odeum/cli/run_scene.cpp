@@ -107,7 +107,7 @@ std::pair<std::string, bool> text_of_errors(const SceneRun& run, const SceneProb
                            id, e.size),
         true};
   text += fmt::format("\nanswer     {}: {:.2g} % of the scene's size of {:.3g} m{}", id, 100 * part,
-                      e.size, part > tenth ? ", which is no prediction of its motion" : "");
+                      e.size, part > tenth ? ", which does not predict its motion" : "");
   return {text, false};
 }
 

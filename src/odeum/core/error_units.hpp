@@ -9,7 +9,7 @@ namespace odeum {
 /// What the errors of a case's components are divided by.
 struct ErrorUnits {
   std::vector<double> scale = {};  ///< by component, in its own unit; empty: 1
-  /// By component; where it is positive, the error is relative to the exact value, or to this
+  /// For each component: where it is positive, the error is relative to the exact value, or to this
   /// number where that is smaller, in place of the scale. Empty: nowhere.
   std::vector<double> relative_from = {};
 

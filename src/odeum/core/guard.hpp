@@ -70,7 +70,7 @@ class Guard {
   /// A product of the Jacobian with a vector counts like an evaluation.
   void count_products(std::uint64_t count) { products_ += count; }
 
-  /// Of the components, one each, see DifferenceIncrements; null: all alike.
+  /// The weights of the components, one each, see DifferenceIncrements; null: all alike.
   const double* weights() const { return weights_; }
 
   bool tripped() const { return !exhausted_.empty(); }  ///< the budget is spent

@@ -32,7 +32,7 @@
 namespace odeum {
 inline namespace ODEUM_LANES {
 
-/// Of the widest vector register.
+/// The bytes of the widest vector register.
 #if defined(__AVX512F__)
 inline constexpr std::size_t vector_bytes = 64;
 #elif defined(__AVX__)

@@ -17,7 +17,8 @@ struct Counters {
   std::uint64_t rejected_steps = 0;
   std::uint64_t rhs_evaluations = 0;  ///< counted by Odeum's guard, not by the library
   std::uint64_t jacobian_evaluations = 0;
-  /// Of the derivative with a vector, in linear solvers; a factorisation is as many as it costs.
+  /// Products of the derivative with a vector in linear solvers; a factorisation counts as many as
+  /// it costs.
   std::uint64_t products = 0;
   /// What a budget counts: evaluations and products, or the steps of a library that computes forces
   /// within itself.

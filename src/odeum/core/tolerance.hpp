@@ -34,7 +34,7 @@ struct Tolerance {
 
   double threshold(std::size_t i) const { return of_component(thresholds, i, 1); }
   double absolute(std::size_t i) const { return of_component(absolutes_, i, relative); }
-  /// By component, or one for all; empty: the relative one.
+  /// The absolute tolerances: one for each component, or one for all; empty: the relative one.
   const std::vector<double>& absolutes() const { return absolutes_; }
   /// Whether components have absolute tolerances of their own.
   bool by_component() const { return absolutes_.size() > 1; }

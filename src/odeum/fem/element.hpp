@@ -11,8 +11,8 @@ using ElementMatrix = std::array<std::array<double, 3>, 3>;
 /// A linear triangle.
 struct Element {
   std::array<Point, 3> nodes;
-  /// By node the other two's difference (a.y - b.y, b.x - a.x), which is twice the area times the
-  /// gradient of the node's basis function.
+  /// For each node, the difference (a.y - b.y, b.x - a.x) of the two others, which is twice the
+  /// area times the gradient of the node's basis function.
   std::array<Point, 3> turned;
   double area;
 

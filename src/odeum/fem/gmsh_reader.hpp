@@ -25,8 +25,8 @@ inline constexpr std::size_t most_mesh_bytes = 1'000'000'000;
 
 /// Reads a mesh in Gmsh's format 4.1, ASCII (Gmsh reference manual, chapter "File formats"): linear
 /// triangles in a plane of constant z, lines and points. A mesh whose triangles all run clockwise
-/// is turned over. Throws InputError with line and column for a text that is no such mesh, and for
-/// one that `check` refuses.
+/// is turned over. Throws InputError with line and column for a text that is not such a mesh, and
+/// for one that `check` refuses.
 GmshMesh read_gmsh(const std::string& file, const std::string& text);
 GmshMesh read_gmsh_file(const std::string& file);
 

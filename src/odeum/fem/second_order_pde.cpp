@@ -37,7 +37,7 @@ formula::Scope scope_of(Graph& graph, const std::string& second, bool with_u) {
   return scope;
 }
 
-/// t stands alone or as the variable of a derivative, so that it is no part of a function's name.
+/// t stands alone or as the variable of a derivative, so that it is not part of a function's name.
 bool uses_time(const std::string& text) {
   static const std::set<std::string> names{"t", "u_t", "u_tt", "u_xt", "u_tx"};
   const auto part_of_name = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
@@ -211,7 +211,7 @@ PdeMap map_types(const SecondOrderPde& pde, const PdeRegion& region, std::size_t
     for (int halving = 0; halving < 60; ++halving) {
       const std::array half{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
       const PdePoint found = pde.at(half[0], half[1]);
-      // A change of sign across a pole is no curve on which the equation is parabolic.
+      // A change of sign across a pole is not a curve on which the equation is parabolic.
       if (found.type == PdeType::undefined) return;
       (sign(found) == before ? low : high) = half;
     }

@@ -65,8 +65,8 @@ double longest_edge(const TriangleMesh& mesh);
 /// then x, which keeps the neighbours in a row of the matrix near one another.
 struct Refined {
   TriangleMesh mesh;
-  /// By node of `mesh`: the two nodes of the coarser one in whose middle it is; twice the same one
-  /// where it is a node of it.
+  /// For each node of `mesh`, the two nodes of the coarser mesh whose midpoint it is; the same one
+  /// twice where it is a node of that mesh.
   std::vector<std::array<std::size_t, 2>> parents;
 };
 /// `onto_boundary` moves the middle of a boundary edge onto a curved boundary; empty: it stays.

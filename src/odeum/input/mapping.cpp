@@ -88,7 +88,7 @@ double Value::number(Sign sign) const {
   const std::errc error = parse_decimal(text, value);
   if (error == std::errc::invalid_argument) fail("not a number", expected);
   if (has_octal_look(text))
-    fail("a leading zero, which YAML may take as octal", "a number without it");
+    fail("a leading zero may make this an octal number in YAML", "a number without it");
   if (error != std::errc{})
     fail("beyond the range of doubles", "a number between 1e-308 and 1e308, or 0");
   if ((sign != Sign::any && value < 0) || (sign == Sign::positive && value == 0))
@@ -119,7 +119,7 @@ std::uint64_t Value::whole(std::uint64_t least, std::uint64_t most) const {
   if (double any = 0; parse_decimal(text, any) == std::errc::invalid_argument)
     fail("no whole number", expected);
   if (has_octal_look(text))
-    fail("a leading zero, which YAML takes as octal", "a number without it");
+    fail("a leading zero makes this an octal number in YAML", "a number without it");
   if (text[0] == '-') fail("negative", expected);
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

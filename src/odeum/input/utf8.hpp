@@ -6,7 +6,7 @@
 
 namespace odeum {
 
-/// A character at the head of a text: its code point and bytes; 0 bytes where it is no UTF-8.
+/// A character at the head of a text: its code point and bytes; 0 bytes where it is not UTF-8.
 struct Utf8Character {
   std::uint32_t code = 0;
   std::size_t bytes = 0;

@@ -16,11 +16,12 @@ struct Control {
 
 /// How a case carries errors made along its solution to its stops.
 struct Amplification {
-  /// By stop: the effect of an error of one tolerance, relative and absolute, in all components at
-  /// one time, on a measured component; in the case's units, for that component and that time where
-  /// it is largest. With Phi the fundamental matrix: sqrt(n) |row of Phi(stop, t) diag(threshold_i
-  /// + |y_i(t)|)|, in the Euclidean norm, n components. What local errors of a solver come to, if
-  /// its root mean square of scaled errors, or the largest of them, is the relative tolerance.
+  /// The effect at each stop of an error of one tolerance, relative and absolute, in all components
+  /// at one time, on a measured component; in the case's units, for that component and that time
+  /// where it is largest. With Phi the fundamental matrix: sqrt(n) |row of Phi(stop, t)
+  /// diag(threshold_i + |y_i(t)|)|, in the Euclidean norm, n components. A solver's local errors
+  /// have this effect if its root mean square of scaled errors, or the largest of them, is the
+  /// relative tolerance.
   std::vector<double> at_stops;
   /// The errors of the method by which this is measured, at tolerances from coarse to fine: what
   /// the case leaves possible where at_stops, which is linear in the errors, comes to the size of

@@ -23,7 +23,8 @@ std::optional<JudgedAnswer> past_the_end(const std::vector<StopError>& errors) {
   return std::nullopt;
 }
 
-/// Of the solution's size: a run that is no solution, and one with hardly a digit.
+/// Errors relative to the solution's size: above the first a run is not a solution, above the
+/// second it has hardly a digit.
 constexpr double most_of_size = 10, useless = 0.1;
 
 /// Says it of the largest error, before a semicolon; empty where digits are left.
@@ -58,7 +59,7 @@ double explained_error(double tolerance, double steps, const Amplification& ampl
                        std::size_t stop, double floor, double scale) {
   const double of_hundred = tolerance * 100 * amplification.at_stops[stop];
   const double of_all = of_hundred * std::max(steps / 100, 1.0);
-  // At the finest control that is no finer than the run; without one, at the coarsest.
+  // Takes the finest control that is no finer than the run; without one, the coarsest.
   const Control* control = nullptr;
   for (const Control& each : amplification.controls)
     if (!control || each.tolerance >= 0.99 * tolerance) control = &each;

@@ -28,7 +28,7 @@ double error_of(const Case& c, const double* y, const double* exact);
 std::size_t worst_component(const Case& c, const double* y, const double* exact);
 /// For people: `absolute`, or which units errors are in.
 std::string unit_text(const Case& c);
-/// That of the state at a time; NaN where the truth is not known, infinite past its end.
+/// The error of the state at a time; NaN where the truth is not known, infinite past its end.
 double error_at(const Case& c, double time, const double* state);
 
 /// Compares solves of one case with its truth, which is evaluated once.

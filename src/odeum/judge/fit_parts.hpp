@@ -21,7 +21,7 @@ constexpr double student_t(std::size_t freedom) {
 
 inline constexpr std::size_t fewest_points = 4;  ///< of a window
 
-/// Of points with the same steps, which two tolerances may lead to, leaves the last.
+/// Keeps the last of several points with the same steps, to which two tolerances may lead.
 void merge_same_steps(std::vector<ErrorPoint>& points);
 
 /// True if the method is exact on this problem: its error is rounding from the coarsest step on,

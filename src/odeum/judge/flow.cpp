@@ -67,8 +67,8 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
   return outcome;
 }
 
-/// Of the explicit method to the end, where its run ended over budget; the implicit method's budget
-/// otherwise, and where they are more than that.
+/// The evaluations that the explicit method needs to the end, where its run ended over budget; the
+/// implicit method's budget otherwise, and at most.
 std::uint64_t foreseen_evaluations(const Outcome& ended, const std::vector<double>& evaluated,
                                    double start, double end) {
   if (ended.status != Status::over_budget) return implicit_budget;

@@ -77,7 +77,7 @@ class Fitting {
                    fmt::format(reason, std::forward<Arguments>(arguments)...));
   }
 
-  /// The first of points [first, certain_end_) that is no rounding and not what `law` predicts;
+  /// The first of points [first, certain_end_) that is neither rounding nor what `law` predicts;
   /// `certain_end_`: none.
   template <class Law>
   std::size_t first_stray(std::size_t first, const Law& law) const {
@@ -104,8 +104,7 @@ class Fitting {
     return known && is_claimed(law.order) && first_stray(window.end(), law) == certain_end_;
   }
 
-  // The finest window that confirms the claim; else the finest where errors are no rounding, if
-  // there is one.
+  // The finest window that confirms the claim; else the finest clear of rounding, if there is one.
   Window choose_window() {
     const auto window_to = [&](std::size_t end) {
       return find_window(points_, end, guess_, tolerance_.settled);
@@ -220,7 +219,7 @@ class Fitting {
                           points_[i].error / law.at(points_[i].step));
     const double finest = points_[std::max<std::size_t>(certain_end_, 1) - 1].step;
     if (fit_.step_finest > finest_end * finest) return moving();
-    // Rounding lowers a slope: a lower one must be seen where errors are no rounding.
+    // Rounding lowers a slope: a lower one must be seen where errors are clear of rounding.
     const bool rounding = fit_.order < claimed_ && window.end() > certain_end_;
     if (fit_.high - fit_.low > claimed_ / 2 || rounding ||
         (fit_.low <= claimed_ && claimed_ <= fit_.high))
@@ -250,10 +249,10 @@ class Fitting {
                           local_slope(points_[window.end() - 2], points_[window.end() - 1]));
     if ((tolerance_.at_least && fit_.order > claimed_) ||
         (!is_an_order(window) && !(fit_.order < claimed_ && took_over(window))))
-      return undetermined(
-          NoOrder::unsettled,
-          "the slope {:.2f} has not settled: over a factor of {:.2g} in the steps it is no order",
-          fit_.order, span(window));
+      return undetermined(NoOrder::unsettled,
+                          "the slope {:.2f} has not settled: over a factor of {:.2g} in the steps "
+                          "it is not an order",
+                          fit_.order, span(window));
     return verdict(
         fit_.order > claimed_ ? Verdict::higher : Verdict::lower,
         fmt::format("converges with order {:.2f} where {:g} is claimed", fit_.order, claimed_));

@@ -118,9 +118,9 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 /// Fits the order of points sorted from coarse to fine over the finest window (fit_parts.hpp) clear
 /// of rounding and of the truth's floor.
 /// - `confirmed`: the slope is the claimed order, or that of the error's first two terms is (see
-///   fit_parts.hpp), or a higher one where `at_least` says so, and every finer point that is no
-///   rounding lies within `stray` of it.
-/// - `floors`: finer points stop falling, and are no rounding.
+///   fit_parts.hpp), or a higher one where `at_least` says so, and every finer point that is clear
+///   of rounding lies within `stray` of it.
+/// - `floors`: finer points stop falling, clear of rounding.
 /// - `higher`, `lower`: the slopes have settled at the finest clear points, elsewhere, and do not
 ///   move towards the claim: the order's interval lies within `whole` of a whole number, at most
 ///   one above the claim, over a factor of two in the steps, or is that narrow over a factor of

@@ -59,8 +59,8 @@ std::string joined(std::vector<std::string> names) {
                      more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-/// Of the sums that the equations keep, those that the run broke and the solution keeps, which may
-/// not be so at a contact; `largest` has the size of each component.
+/// The sums that the equations and the solution keep and the run broke; a solution may break one at
+/// a contact. `largest` has the size of each component.
 std::vector<std::string> broken_sums(const Case& c, const Request& request, const double* end,
                                      const std::vector<double>& exact,
                                      const std::vector<double>& largest) {
@@ -147,11 +147,11 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
   for (std::size_t i = 0; i < n; ++i) {
     // One that is zero, or the rounding of others.
     if (!c.truth.largest.empty() && c.truth.largest[i] == 0) continue;
-    // Of a component that is zero throughout, zero is the value.
+    // A component that is zero throughout has the value zero.
     if (request.mode == Mode::adaptive && largest[i] > 0 &&
         largest[i] < request.tolerance.absolute(i))
       uncontrolled.push_back(names[i]);
-    // Rounding and the truth's own error are no fault.
+    // Rounding and the truth's own error are not a fault.
     const double meant = 1e-12 * largest[i] + 10 * c.floor_of(i);
     if (c.y0[i] >= 0 && lowest_exact[i] >= -meant && lowest[i] < -meant)
       negative.push_back(fmt::format("{} ({:.2g})", names[i], lowest[i]));

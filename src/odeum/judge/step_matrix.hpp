@@ -14,7 +14,7 @@ struct Powers {
   double radius = 0;   ///< the largest modulus of an eigenvalue
   int polynomial = 0;  ///< radius 1, to rounding: they grow as n to that power
 };
-/// Of a dense n x n matrix, by rows.
+/// The powers of a dense n x n matrix, by rows.
 Powers powers_of(const std::vector<double>& matrix, std::size_t n);
 
 /// One step of a solver at a fixed step on u' = A u + b: u becomes R u + r.
@@ -22,7 +22,7 @@ struct StepMatrix {
   std::vector<double> matrix;  ///< R, by rows
   std::vector<double> vector;  ///< r, of the step from t0
   Powers powers;
-  /// By how much eight steps differ from R^8, over the size of the state: rounding, unless the
+  /// The difference of eight steps from R^8, over the size of the state: rounding, unless the
   /// solver keeps more than the last state, or solves its stages inexactly.
   double rest = 0;
 };

@@ -49,8 +49,8 @@ class Entries {
  public:
   explicit Entries(std::size_t n) : n_(n), was_(n * n) {}
 
-  /// Of the matrix with value(m[k], on the diagonal) at each entry of m, 0 where there is none.
-  /// Null where that does not pay, a multiplier is large, or the matrix is singular.
+  /// Factors of the matrix with value(m[k], on the diagonal) at each entry of m, 0 where there is
+  /// none. Null where that does not pay, a multiplier is large, or the matrix is singular.
   template <class Value>
   ListedLu<Scalar>* factorise(const double* m, Value&& value) {
     if (n_ > Elimination::most_unknowns) return nullptr;

@@ -18,7 +18,7 @@ class SparseLdlt {
   ~SparseLdlt();
   SparseLdlt(SparseLdlt&&) noexcept;
   void solve(const double* b, double* x) const;
-  /// Of one factorisation, and of one solution with its factors.
+  /// Multiplications of one factorisation, and of one solution with its factors.
   double multiplications_to_factorise() const;
   double multiplications_to_solve() const;
 

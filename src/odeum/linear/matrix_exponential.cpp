@@ -8,7 +8,7 @@ namespace odeum::linear {
 
 std::vector<double> matrix_exponential(const std::vector<double>& a, std::size_t n) {
   const auto size = static_cast<Eigen::Index>(n);
-  // By columns: the exponential of the transpose is the transpose of the exponential.
+  // Eigen reads by columns: the exponential of the transpose is the transpose of the exponential.
   const Eigen::MatrixXd matrix = Eigen::Map<const Eigen::MatrixXd>(a.data(), size, size);
   if (!matrix.allFinite()) return {};
   const Eigen::MatrixXd e = matrix.exp();

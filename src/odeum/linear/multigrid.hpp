@@ -43,7 +43,7 @@ class Multigrid final : public Preconditioner {
   std::vector<int> block_;                     ///< by level: rows of a block
   SparseLdlt coarsest_;
   std::unique_ptr<Team> team_;
-  // Of each level: the residual; of each coarser one: its right-hand side and its correction.
+  // Each level has its residual, and each coarser one its right-hand side and its correction.
   mutable std::vector<std::vector<double>> residual_, right_, correction_;
 };
 

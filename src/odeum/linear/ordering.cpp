@@ -6,7 +6,7 @@
 namespace odeum::linear {
 namespace {
 
-/// By unknown: its neighbours in the pattern or its transpose, each once, without itself.
+/// The neighbours of each unknown in the pattern or its transpose, each once, without itself.
 std::vector<std::vector<int>> neighbours_of(const Sparsity& pattern) {
   std::vector<std::vector<int>> of(pattern.unknowns());
   for (std::size_t i = 0; i < pattern.unknowns(); ++i)

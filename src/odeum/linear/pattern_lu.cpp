@@ -25,7 +25,7 @@ struct Filled {
     }
   }
 
-  /// Of those left the one with the fewest products, and its fill.
+  /// Eliminates the unknown with the fewest products among those left, and adds its fill.
   std::size_t eliminate_next(Unknowns& left) {
     const std::size_t n = rows.size();
     std::size_t least = std::numeric_limits<std::size_t>::max(), pivot = 0;

@@ -28,8 +28,8 @@ struct Elimination {
   std::vector<int> targets;          ///< of the multiplications, as they follow each other
 };
 
-/// Of the same pattern as the last one asked for by the thread it is that one: runs of a problem
-/// follow each other, and of few unknowns it takes as long as several steps. Thread-safe.
+/// A thread that asks for the pattern it asked for last gets the same elimination: runs of a
+/// problem follow each other, and of few unknowns it takes as long as several steps. Thread-safe.
 std::shared_ptr<const Elimination> elimination_of(const Sparsity& pattern);
 
 /// Factors by it, which must outlive them.

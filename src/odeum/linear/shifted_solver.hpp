@@ -125,7 +125,7 @@ class StructuredSystem {
 };
 
 namespace detail {
-/// By type of numbers.
+/// The system for a type of numbers.
 template <class Real>
 struct SystemIn {
   template <Ode P>

@@ -161,7 +161,7 @@ class SmallInverse {
     m_[k] = row;
   }
 
-  /// Of a register, and registers of a row, which has zeros behind its entries.
+  /// The numbers of a register, and the registers of a row, which has zeros behind its entries.
   static constexpr std::size_t numbers =
       std::min(vector_bytes / sizeof(double), std::bit_ceil(std::max(N, std::size_t{2})));
   static constexpr std::size_t parts = (N + numbers - 1) / numbers;

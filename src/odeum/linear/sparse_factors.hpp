@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Of sparse_system.cpp.
+// The factors that sparse_system.cpp chooses from.
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <complex>
@@ -91,8 +91,8 @@ class BandFactors final : public Factors {
   std::vector<double> x_re_, x_im_;
 };
 
-/// Of at most `width` entries below and above the diagonal; by BandFactors where rows have to be
-/// exchanged.
+/// Factors of at most `width` entries below and above the diagonal; uses BandFactors where rows
+/// have to be exchanged.
 template <bool is_complex, std::size_t width>
 class NarrowFactors final : public Factors {
  public:
@@ -119,7 +119,7 @@ class NarrowFactors final : public Factors {
   std::optional<BandFactors<is_complex>> with_exchanges_;
 };
 
-/// Of the least width that holds the band.
+/// Factors of the least width that holds the band.
 template <bool is_complex>
 std::unique_ptr<Factors> band_factors(const Sparsity& pattern, const Band& band) {
   const std::size_t width = std::max(band.lower, band.upper);
@@ -193,7 +193,7 @@ class SparseFactors final : public Factors {
   std::vector<std::size_t> places_, diagonal_;
 };
 
-/// Of few unknowns.
+/// Factors of few unknowns, by a list of eliminations.
 template <class Scalar>
 class FewFactors final : public Factors {
  public:

@@ -25,7 +25,7 @@ struct SparseMatrix {
   void multiply(const double* x, double* y, Team* team = nullptr) const;
   /// An entry; 0 where none is stored.
   double at(int row, int col) const;
-  /// Of a square matrix.
+  /// The diagonal of a square matrix.
   std::vector<double> diagonal() const;
 };
 

@@ -23,7 +23,7 @@ JacobianEntries differenced_entries(const Sparsity& pattern,
                                     std::function<void(double t, const double* y, double* f)> rhs,
                                     const double* weights = nullptr);
 
-/// By column: its colour, from 0. Columns of one colour share no row.
+/// The colour of each column, from 0. Columns of one colour share no row.
 std::vector<int> column_colours(const Sparsity& pattern);
 
 /// Solves with I - g J for a sparse J and several g, real or complex: by an LU factorisation of a

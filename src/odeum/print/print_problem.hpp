@@ -9,7 +9,7 @@
 /// Prints problems as C++.
 namespace odeum::print {
 
-/// By definition of the graph its name as a member of a struct of that name: its own, but where
+/// The name of each definition of the graph as a member of a struct named `of`: its own, but where
 /// C++, its library or the struct has another use for it.
 std::vector<std::string> member_names(const std::string& of, const formula::Graph& graph);
 

@@ -80,7 +80,7 @@ struct RealOf<P, std::void_t<typename P::real>> {
 template <class P>
 using RealOf = typename detail::RealOf<P>::type;
 
-/// By capability: its signature for a number type.
+/// The signature of each capability for a number type.
 namespace capability {
 #define ODEUM_SIGNATURE(concept_name, function, charge, ...) \
   template <class real>                                      \

@@ -41,9 +41,9 @@ concept Ode = requires(const P& p, RealOf<P> t, const RealOf<P>* y, RealOf<P>* d
   p.rhs(t, y, dydt);
 };
 
-// By capability its concept, as WithJacobian<P>, and offers_jacobian(problem): whether the problem
-// offers it, which a type that stands for many problems decides at run time by a function of that
-// name.
+// For each capability its concept, as WithJacobian<P>, and offers_jacobian(problem): whether the
+// problem offers it, which a type that stands for many problems decides at run time by a function
+// of that name.
 #define ODEUM_CONCEPT(concept_name, function, charge, ...)                                     \
   namespace detail {                                                                           \
   template <class P, class Signature>                                                          \

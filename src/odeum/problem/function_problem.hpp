@@ -52,7 +52,7 @@ struct FunctionMechanics : FunctionProblem {
   void undamped_acceleration(double t, const double* q, double* out) const {
     a(t, q, std::vector<double>(unknowns / 2).data(), out);
   }
-  /// By fixed-point iteration, which converges for the steps of proofs.
+  /// Solves by fixed-point iteration, which converges for the steps of proofs.
   std::uint64_t damp(double t, const double* q, double h, double* v, double /*relative*/) const {
     const std::size_t n = unknowns / 2;
     std::vector<double> undamped(n), before(n), after(n), next(v, v + n);

@@ -24,7 +24,7 @@ class Piece {
       return (self.whole_.*member)(self.whole_.problem, self.clamped(t), more...);
     };
   }
-  /// Of a function that takes no time.
+  /// For a function that takes no time.
   template <auto member, class R, class... All>
   static auto inside(R (*)(const void*, All...)) {
     return +[](const void* piece, All... all) -> R {

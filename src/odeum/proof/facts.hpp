@@ -35,9 +35,9 @@ struct MethodFacts : Code {
   std::function<double(double re, double im)> amplification;  ///< |R(z)|; may be empty
   std::function<OscillatorMap(double)> oscillator_map;        ///< may be empty
 
-  /// Of a linear multistep method on y' = z y at h = 1, from its coefficients: c_i such that
-  /// y_{n+1} = sum_i c_i y_{n-i}. Its largest root corresponds to |R(z)| of a one-step method. May
-  /// be empty.
+  /// The recurrence of a linear multistep method on y' = z y at h = 1, from its coefficients: c_i
+  /// such that y_{n+1} = sum_i c_i y_{n-i}. Its largest root corresponds to |R(z)| of a one-step
+  /// method. May be empty.
   std::function<std::vector<std::complex<double>>(std::complex<double> z)> recurrence;
 
   std::string id() const { return std::string(info.id); }

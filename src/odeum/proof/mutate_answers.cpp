@@ -85,7 +85,7 @@ class OnAlteredProblem : public AnyStepper {
         stepper_(make(altered_)) {}
 
   void start(double t, double h, const std::vector<double>& y) override {
-    *now_ = {t, h, false, -1'000'000, {}};  // evaluations of a start are no part of a step
+    *now_ = {t, h, false, -1'000'000, {}};  // evaluations of a start are not part of a step
     stepper_->start(t, h, y);
     first_ = true;
   }

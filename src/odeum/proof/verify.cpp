@@ -80,7 +80,7 @@ void run_row(const char* name, const DynamicTableau<double>& tableau, int order,
     MeasuredRow row{name, test.id, measure_order(interpreted(tableau), order, test), false, ""};
     const bool above = row.fit.verdict == judge::Verdict::higher || row.fit.order > order;
     // A linear problem has few order conditions: a higher order there, or slopes on the way from
-    // one, are no contradiction.
+    // one, do not contradict the claim.
     row.agrees = row.fit.verdict == judge::Verdict::confirmed || (test.id == "linear" && above);
     if (!row.agrees && row.fit.order > order && next > small_beside) {
       row.agrees = true;

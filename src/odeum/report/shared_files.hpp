@@ -14,7 +14,7 @@
 /// changed text is shown without a build, and where the program is installed.
 namespace odeum::report {
 
-/// That folder, of this program; empty where it is not there.
+/// The folder share/odeum of this program; empty where it is not there.
 std::optional<std::filesystem::path> shared_folder();
 
 /// The text of a file in it; empty where it is not there.

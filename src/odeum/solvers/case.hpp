@@ -29,8 +29,8 @@ struct Truth {
   std::string source;          ///< closed form, or the reference file
   /// It is a closed form, which follows other values of the parameters.
   bool closed_form = false;
-  /// By component, its largest magnitude and its lowest value from the start to the last stop;
-  /// empty: not known.
+  /// The largest magnitude and the lowest value of each component from the start to the last stop,
+  /// in its own unit; empty: not known.
   std::vector<double> largest, lowest;
 };
 

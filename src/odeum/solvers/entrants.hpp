@@ -26,7 +26,7 @@ class Entrants {
   void add(Entrant entrant);
 
   std::size_t size() const;
-  /// Of the entrant at k, without making it: what follows from the problem is missing.
+  /// Information on entrant k without enrolling it; fields that depend on the problem are unset.
   const SolverInfo& info(std::size_t k) const;
   const Entrant& operator[](std::size_t k) const;
   const Entrant& back() const { return (*this)[size() - 1]; }

@@ -8,9 +8,9 @@
 
 namespace odeum::foreign {
 
-/// A process that calls the functions of a foreign problem for those parts of a study that are no
-/// solve: errors, gains, spectra. About 10 microseconds a call. A call that fails, crashes or hangs
-/// gives NaN; the process is started anew, a limited number of times, of which at most
+/// A process that calls the functions of a foreign problem for those parts of a study that do not
+/// solve it: errors, gains, spectra. About 10 microseconds a call. A call that fails, crashes or
+/// hangs gives NaN; the process is started anew, a limited number of times, of which at most
 /// isolated::most_ended in a row may be for its silence.
 class Evaluator {
  public:

@@ -14,8 +14,8 @@ struct LoadedLibrary {
   std::string text() const { return compiled.empty() ? file : file + ", compiled " + compiled; }
 };
 
-/// Of each library that is built in, the first loaded file that bears the name of its adapter, or
-/// the first one compiled without optimisation; none of those that are headers alone.
+/// The first loaded file of each built-in library that bears the name of its adapter, or the first
+/// one compiled without optimisation; none of the libraries that are headers alone.
 std::vector<LoadedLibrary> loaded_of(const std::vector<LibraryInfo>& libraries);
 
 /// How the library of a solver was compiled, by the first part of the solver's id: found once for

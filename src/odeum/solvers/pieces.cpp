@@ -99,7 +99,7 @@ class RunInPieces {
     if (std::isfinite(part.t)) all_.t = part.t;
     const bool ok = part.status == Status::ok;
     if (ok) y_.assign(part.states.end() - static_cast<std::ptrdiff_t>(n), part.states.end());
-    // The state at a switch that is no stop is none of the request's.
+    // The state at a switch that is not a stop does not belong to the request's states.
     if (ok && !std::ranges::binary_search(request_.stops, end))
       part.states.resize(part.states.size() - n);
     all_.states.insert(all_.states.end(), part.states.begin(), part.states.end());

@@ -45,7 +45,7 @@ std::string fmi_support();
 /// all_solvers(), all_libraries() or known_ids(), which are built once; throws std::logic_error
 /// afterwards.
 void add_runtime_library(RuntimeLibrary library);
-/// Those that this program was built with, or without (generated).
+/// The libraries that this program was built with, or without (generated).
 const std::vector<LibraryInfo>& built_in_libraries();
 /// In the order of their addition. Nothing can be added afterwards.
 const std::vector<RuntimeLibrary>& runtime_libraries();

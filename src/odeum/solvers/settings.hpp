@@ -14,7 +14,7 @@ inline const char* setting_kind(Mode mode) { return mode == Mode::fixed ? "step"
 inline double step_of(const Request& request, double t0) {
   return (request.stops.back() - t0) / static_cast<double>(request.steps);
 }
-/// That step, or the relative tolerance.
+/// The fixed step, or the relative tolerance.
 inline double setting_of(const Request& request, double t0) {
   return request.mode == Mode::fixed ? step_of(request, t0) : request.tolerance.relative;
 }

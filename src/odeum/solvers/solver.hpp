@@ -84,7 +84,7 @@ struct ErasedContest {
   std::shared_ptr<const scene::Scene> scene;
   /// The residuals that state the problem, where they are not solved for all rates; else null.
   std::shared_ptr<const ImplicitForm> implicit = nullptr;
-  /// Those in [from, to], ascending; empty: the problem names none.
+  /// The switches in [from, to], ascending; empty: the problem names none.
   std::function<std::vector<Switch>(double from, double to)> switches = {};
 };
 

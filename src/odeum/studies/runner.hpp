@@ -80,7 +80,7 @@ struct PlannedTasks {
 /// The tasks of a command that this process does.
 struct Share {
   std::uint64_t at = 0;
-  /// By task, the number of the share that has it; null: all are this one's.
+  /// For each task, the number of the share that has it; null: all are this one's.
   std::shared_ptr<const std::vector<std::uint32_t>> shares = nullptr;
   std::shared_ptr<std::uint64_t> begun = nullptr;  ///< tasks of the runs before, beside `shares`
   bool all_kept = false;  ///< every result is to be in the store: another is an error
@@ -104,7 +104,7 @@ struct ResultCache {
   std::string dependencies_of_built_in = {};
   Share share = {};
   record::Store* seconds = nullptr;  ///< where the seconds of tasks are kept, for plans
-  std::string settings = {};         ///< by which these are: the options that are no globs
+  std::string settings = {};         ///< key of `seconds`: all options except globs
 };
 
 /// Runs the tasks of a study: several at a time, with progress, and keeps their results, so that
@@ -119,7 +119,7 @@ class Runner {
   /// with a result in the store is not measured again: key(task) must be unique within a run, and
   /// `what` names the part of the study. Results of tasks other than a Pair are kept for the very
   /// program and options; those of a Pair must depend on nothing but its case, its solver and the
-  /// options that are no globs. Throws Interrupted.
+  /// options other than globs. Throws Interrupted.
   template <class Task, class Key, class Work>
   auto run(const std::string& what, const std::vector<Task>& tasks, Key&& key, Work&& work) const {
     return run_by(jobs_, what, tasks, key, work);
@@ -163,7 +163,7 @@ class Runner {
     return all;
   }
 
-  /// Of a task in an earlier run; NaN: not known.
+  /// Seconds of a task in an earlier run; NaN: not known.
   double seconds_of(const std::string& name) const;
   void keep_seconds(const std::string& name, double seconds) const;
 

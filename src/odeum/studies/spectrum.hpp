@@ -15,8 +15,8 @@ namespace odeum::study {
 struct SpectrumAlong {
   std::string reason;         ///< why there is none; empty: there is
   std::vector<double> sizes;  ///< by component, the largest along the solution
-  /// Those in the left half plane, one of each conjugate pair: all, or the outermost of a large
-  /// system.
+  /// The eigenvalues in the left half plane, one of each conjugate pair: all, or the outermost of a
+  /// large system.
   std::vector<std::complex<double>> eigenvalues;
   std::complex<double> largest;  ///< of all
   double growing = 0;            ///< the largest real part to the right of the axis; 0: none

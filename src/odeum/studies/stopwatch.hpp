@@ -75,7 +75,7 @@ struct Times {
 
   double min() const;     ///< NaN where there is none
   double median() const;  ///< NaN where there is none
-  /// Of one of so many equal parts of the work.
+  /// The columns of one of so many equal parts of the work.
   WallTimes columns(double parts = 1) const { return {min() / parts, median() / parts, ns.size()}; }
 };
 

@@ -51,7 +51,7 @@ void check_members(const Plan& plan, Result& result) {
       note(member, result.results[member * quantities + q]);
   } else {
     checks.wanted = std::min(plan.checks, plan.members.size());
-    // Those in the middle of the rest first, so that also a few are spread.
+    // The order takes the middle of the rest first, so that also a few are spread.
     std::vector<bool> made(checks.wanted, false);
     for (auto apart = std::bit_ceil(std::max<std::uint64_t>(checks.wanted, 1)); apart >= 1;
          apart /= 2)

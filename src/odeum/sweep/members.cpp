@@ -36,7 +36,7 @@ std::vector<std::string> split(std::string_view text, char at) {
   }
 }
 
-// A..B:N and A..B:logN; false where that is no range.
+// Reads A..B:N and A..B:logN; false for any other text.
 bool read_range(const std::string& text, Axis& axis) {
   const std::size_t dots = text.find(".."), colon = text.find(':');
   if (dots == std::string::npos || colon == std::string::npos || colon < dots) return false;

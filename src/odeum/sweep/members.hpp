@@ -40,7 +40,7 @@ class Members {
   const std::vector<std::string>& names() const { return names_; }
   /// For more than one value of the grid, and nothing for a table.
   const std::vector<Axis>& axes() const { return axes_; }
-  /// Those of a member, one a name.
+  /// The parameter values of a member, in the order of names(). Thread-safe.
   std::vector<double> values(std::uint64_t member) const;
 
  private:

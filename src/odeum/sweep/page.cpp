@@ -73,7 +73,7 @@ std::vector<Side> sides_of(const Plan& plan) {
   return sides;
 }
 
-/// By cell, of one side or two: the share that was solved, and the median of each quantity.
+/// The share that was solved, and the median of each quantity, in each cell of one side or two.
 record::Records map_of(const Plan& plan, const Result& result, const std::vector<Side>& sides) {
   const bool flat = sides.size() < 2;
   const std::size_t wide = sides[0].cells(), high = flat ? 1 : sides[1].cells();

@@ -19,7 +19,7 @@ struct Quantity {
 
   /// Whether it needs the solution between the start and the end.
   bool over_time() const { return kind == Kind::least || kind == Kind::greatest; }
-  /// Of `count` states as long as y0, the last of which is at the end.
+  /// The value from `count` states as long as y0, the last of which is at the end.
   double of(const std::function<double(const double*)>& energy, const std::vector<double>& y0,
             const double* states, std::size_t count) const;
 };

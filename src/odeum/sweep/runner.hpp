@@ -23,7 +23,7 @@ class Runner {
   /// The plan's request for members from `first` to `last` in lanes, where the solver, the problem
   /// and the request allow it; else nothing. One that is not ok has to run alone.
   std::vector<Outcome> run_in_lanes(std::uint64_t first, std::uint64_t last);
-  /// Of an outcome that is ok, of the member placed last, which has these values.
+  /// The quantity for a successful outcome of the last member placed; `values` are its parameters.
   double value(const Quantity& quantity, const std::vector<double>& values, const Outcome& outcome);
   /// A member that did not run last.
   void place(const std::vector<double>& values) { family_->place(values); }

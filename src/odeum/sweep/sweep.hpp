@@ -59,7 +59,7 @@ struct Ending {
 
 /// The least value, those at 5, 50 and 95 %, and the greatest.
 using Quantiles = std::array<double, 5>;
-/// Of the finite ones; NaN where there is none.
+/// The quantiles of the finite values; NaN where there is none.
 Quantiles quantiles(std::vector<double> values);
 
 /// The errors of members at the end, in the units of the case's errors.

@@ -68,7 +68,7 @@ struct OrderFault {
 struct FaultSearch {
   int order = 0;                     ///< that is stated
   double rounding = order_rounding;  ///< a residual below it is none
-  double certain = order_rounding;   ///< one above it shows that the order is no higher
+  double certain = order_rounding;   ///< a residual above it shows that the order is no higher
   bool no_higher = false;
   OrderFault fault = {};
 

@@ -33,7 +33,7 @@ struct ExactStates {
   std::string source = {};
 };
 
-/// Those of the truth at these times.
+/// The states of the truth at these times.
 ExactStates true_states(const Case& c, const std::vector<double>& times);
 /// At the outputs of all runs, and where a reference holds the truth at its times.
 ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs);
@@ -46,8 +46,8 @@ record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
 /// unit of errors, name.
 record::Records case_solution(const Case& c, const std::vector<CaseRun>& runs);
 /// The accepted steps of adaptive runs, where they are recorded: case, library, solver, time, step.
-/// Of a run with more steps than this they are taken in as many groups of neighbours, and the table
-/// has the shortest and the longest of each: a stiff run of an explicit method has 10^7.
+/// A run with more steps than this has them in as many groups of neighbours, and the table has the
+/// shortest and the longest of each: a stiff run of an explicit method has 10^7.
 inline constexpr std::size_t most_groups_of_steps = 20'000;
 record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs);
 

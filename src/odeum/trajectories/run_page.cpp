@@ -29,7 +29,7 @@ struct RunRow {
                 result, replay)
 };
 
-/// Of a CaseRun or a SceneRun.
+/// The row of a CaseRun or a SceneRun.
 RunRow row_of(const auto& run, double t0) {
   return {.library = run.entrant->info.library,
           .solver = run.entrant->info.method,

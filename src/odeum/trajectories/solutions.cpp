@@ -31,14 +31,14 @@ int logarithm(double error) {
   return static_cast<int>(std::lround(100 * std::log10(error)));
 }
 
-/// Of a tolerance as rows have it, in millionths of a decade: runs to tolerances of one decade are
-/// told apart. The page computes the same.
+/// The exponent of a tolerance as rows have it, in millionths of a decade: runs to tolerances of
+/// one decade are told apart. The page computes the same.
 std::uint64_t exponent_of(double tolerance) {
   const double shown = std::stod(report::json_number(tolerance));
   return static_cast<std::uint64_t>(std::llround(-1e6 * std::log10(shown)));
 }
 
-/// Of the measured components at the stops.
+/// The largest value of the measured components at the stops.
 double largest_of(const Case& c) {
   double largest = 0;
   std::vector<double> y(c.y0.size());

@@ -30,7 +30,7 @@ static int step(void* self, double t, double h, double* y) {
   for (;;) pause();
 #endif
 #ifdef FAULT_exit_process
-  printf("this is no data\n");
+  printf("this is not data\n");
   exit(0);
 #endif
 #ifdef FAULT_exit_late

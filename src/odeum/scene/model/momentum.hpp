@@ -5,8 +5,8 @@
 
 #include "odeum/scene/model/scene.hpp"
 
-/// Of particles of masses m (kg) in the state y: all positions (m), then all velocities (m/s).
-/// Particles that are fixed have no velocity there, and add nothing.
+/// Momenta of particles of masses m (kg) in the state y: all positions (m), then all velocities
+/// (m/s). Particles that are fixed have no velocity there, and add nothing.
 namespace odeum::scene {
 
 /// kg m/s

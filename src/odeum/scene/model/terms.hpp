@@ -89,7 +89,7 @@ class EdgeSprings final : public Term {
 };
 
 /// Gravitation between pairs, and drag of particles that have one; null where a scene has none. The
-/// first throws std::invalid_argument for an end that is no particle.
+/// first throws std::invalid_argument for an end that is not a particle.
 std::unique_ptr<Term> make_gravitation(const Scene& scene);
 std::unique_ptr<Term> make_particle_drag(const Scene& scene);
 /// The terms of `forces` and of `contacts`.

@@ -30,7 +30,8 @@ class PairGravitation final : public Term {
       }
     }
   }
-  // Of the force on a by the position of b: G m_a m_b (I - 3 u u^T) / l^3.
+  // The derivative of the force on a with respect to the position of b is G m_a m_b (I - 3 u u^T) /
+  // l^3.
   void add_blocks(const Bodies& bodies, const double* q, const double*,
                   BlockSink& sink) const override {
     for (const Gravitation& pair : pairs_) {

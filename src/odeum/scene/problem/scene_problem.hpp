@@ -39,9 +39,9 @@ class SceneProblem {
   static constexpr bool velocity_dependent = true;  // as far as the type knows
   bool depends_on_velocity() const { return !structure_.separable; }
 
-  /// Throws std::invalid_argument for a spring end that is no particle, a mass that is not positive
-  /// on a free particle, a velocity on a fixed one, or a velocity_matrix. `lives`: of each particle
-  /// (see WholeScene); empty: all are there all the time.
+  /// Throws std::invalid_argument for a spring end that is not a particle, a mass that is not
+  /// positive on a free particle, a velocity on a fixed one, or a velocity_matrix. `lives`: one for
+  /// each particle (see WholeScene); empty: all are there all the time.
   explicit SceneProblem(const Scene& scene, std::vector<Lifetime> lives = {});
 
   const Structure& structure() const { return structure_; }

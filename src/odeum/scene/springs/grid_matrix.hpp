@@ -46,8 +46,8 @@ class GridMatrix {
   void clear_free(double* x) const;
 
  private:
-  /// Of the springs of one kind, each at the place of its end a: what it adds to A is
-  /// (c I + s s^T) of the difference of its ends, and to -g^2 K the same with another c.
+  /// The springs of one kind, each at the index of its end a. A spring adds (c I + s s^T) times the
+  /// difference of its ends to A, and the same with another c to -g^2 K.
   struct Kind {
     std::size_t offset = 0;          // of b
     std::vector<double> damping;     // 0 where there is no spring

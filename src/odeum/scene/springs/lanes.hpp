@@ -87,8 +87,9 @@ template <bool moderate>
     return Vector<double>(_mm_cvtps_pd(_mm_rsqrt_ps(_mm_cvtpd_ps(__m128d(x)))));
 #endif
   }
-  // That of floats, whose exponents are fewer: x = 4^k f with f in [1/2, 2), which fits the lower
-  // half of each number as a float with the upper digits of x; k goes to the guess's exponent.
+  // The guess of floats serves, which have fewer exponents: x = 4^k f with f in [1/2, 2), which
+  // fits the lower half of each number as a float with the upper digits of x; k goes to the guess's
+  // exponent.
   using Bits = VectorBits<double>;
   const Bits bits = Bits(x), float_of = ((bits >> 29) & 0xffffff) | 0x3f000000;
   const Bits guess = Bits(guess_inverse_sqrt<true>(Vector<float>(float_of)));

@@ -82,11 +82,12 @@ class GridSprings {
                   std::size_t end) const {
     kernels_->derivative(view(), q, dq, dv, change, begin, end);
   }
-  /// Of the springs of one kind, each at the place of its end a: the derivative of the force on a
-  /// with respect to the position of b is across I + s s^T. `across` has layout().size numbers,
-  /// `s` three times as many; where there is no spring they are zero in the rows, and not
-  /// written in the margins. No rest length may be negative. `clamped`: without the part across a
-  /// compressed spring, which is negative, so that what all springs add up to is semidefinite.
+  /// The stiffness of the springs of one kind, each at the index of its end a: the derivative of
+  /// the force on a with respect to the position of b is across I + s s^T. `across` has
+  /// layout().size numbers, `s` three times as many; where there is no spring they are zero in the
+  /// rows, and not written in the margins. No rest length may be negative. `clamped`: without the
+  /// part across a compressed spring, which is negative, so that the sum over all springs is
+  /// semidefinite.
   void stiffness(std::size_t kind, const Real* q, bool clamped, Real* across, Real* s) const {
     kernels_->stiffness(view(), kind, q, clamped, across, s);
   }

@@ -28,7 +28,7 @@ struct SpringRows {
   std::size_t count;
   bool damped;
   bool moderate;  ///< rest lengths are 0, or the exponents of float suffice for their squares
-  // Of forces alone:
+  // Only the functions of forces use these:
   Real* kept;         ///< 12 lines for every two neighbours, zero beyond the grid's columns
   std::size_t line;   ///< from line to line
   const Real* scale;  ///< forces are multiplied by it where it is not null, then `add` is added
@@ -54,7 +54,7 @@ struct SpringKernelSet {
   SpringKernels<float> f32;
 };
 
-/// Those that this processor can run, the widest last; never empty.
+/// The kernels that this processor can run, the widest last; never empty.
 template <class Real>
 const std::vector<const SpringKernels<Real>*>& spring_kernels();
 

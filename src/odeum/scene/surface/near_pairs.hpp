@@ -20,7 +20,7 @@ class NearPairs {
     return near;
   }
 
-  /// Those that may meet at the places q, always in the same order, and others.
+  /// All pairs that may meet at the positions q, and some others; always in the same order.
   const std::vector<SurfacePair>& at(const Surfaces& surfaces, const double* q) {
     double shrunk = id_ == surfaces.id() ? surfaces.shrinks * moved_to(q) : far;
     if (!(shrunk <= margin_)) {
@@ -39,7 +39,7 @@ class NearPairs {
     }
     return nearest_;
   }
-  /// Of the straight way from q to the places of the last visit: whether the pairs hold on it.
+  /// Whether the pairs hold on the straight way from q to the positions of the last visit.
   bool hold_from(const Surfaces& surfaces, const double* q) const {
     return surfaces.shrinks * moved_to(q) <= margin_;
   }

@@ -41,7 +41,7 @@ class PairLanes {
   const SurfacePair& operator[](std::size_t lane) const { return *pairs_[lane]; }
   const SurfacePair& first() const { return *pairs_[0]; }
   std::size_t particle(std::size_t lane, std::size_t k) const { return places_[k][lane] / 4; }
-  /// Those that hold a pair.
+  /// The lanes that hold a pair.
   LaneMask mask() const {
     LaneMask mask{};
     for (std::size_t lane = 0; lane < count_; ++lane) mask.set(lane, true);
@@ -63,7 +63,7 @@ class PairLanes {
       r[d] = x2[d] - x0[d];
     }
   }
-  /// Of forces on r, e1 and e2.
+  /// The forces on the four particles that follow from forces on r, e1 and e2.
   Forces forces_of(const Vec<Lanes>& on_r, const Vec<Lanes>& on_e1, const Vec<Lanes>& on_e2) const {
     Forces forces;
     const Lanes none(0);

@@ -64,7 +64,7 @@ std::vector<double> coplanar_at(const Straight& way) {
 bool inside(SurfacePair::Kind kind, const Vec<double>& e1, const Vec<double>& e2,
             const Vec<double>& r) {
   const double a = dot(e1, e1), b = dot(e1, e2), c = dot(e2, e2), determinant = a * c - b * b;
-  // Of lines that are nearly parallel no point is where they cross; the ends of edges tell then.
+  // Nearly parallel lines have no crossing to speak of; the ends of the edges decide then.
   constexpr double least = 1e-3;
   if (!(determinant > (kind == SurfacePair::Kind::edges ? least * a * c : 0))) return false;
   const double u = (c * dot(e1, r) - b * dot(e2, r)) / determinant;

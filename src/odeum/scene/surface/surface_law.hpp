@@ -18,9 +18,9 @@
 /// either; the points of their ends have. All of it has three continuous derivatives, so that
 /// methods keep their order up to 4.
 ///
-/// Of e1, e2 and r (a triangle's edges and the point seen from their corner; two edges, and the
-/// start of the second seen from that of the first) it takes the part w of r across e1 and e2,
-/// r = u e1 + v e2 + w, and d = |w|.
+/// Its arguments are e1, e2 and r: a triangle's edges and the point seen from their corner; or two
+/// edges, and the start of the second seen from that of the first. With w the part of r across e1
+/// and e2, r = u e1 + v e2 + w, it takes d = |w|.
 namespace odeum::scene {
 
 template <class Real>

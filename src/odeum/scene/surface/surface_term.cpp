@@ -94,7 +94,7 @@ class SurfaceContact final : public Term {
     const Shares share = shares_of(pair.kind);
     const std::array<const Vec<Real>*, 3> on{&apart.on_r, &apart.on_e1, &apart.on_e2};
     const std::array<const std::array<double, 4>*, 3> of{&share.r, &share.e1, &share.e2};
-    // Of the force on i by the place (0) or velocity (9) of j.
+    // The derivative of the force on i with respect to the position (0) or velocity (9) of j.
     const auto block = [&](std::size_t i, std::size_t j, std::size_t first) {
       Mat3 sum{};
       for (std::size_t f = 0; f < 3; ++f)

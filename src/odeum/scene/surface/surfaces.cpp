@@ -13,7 +13,7 @@ namespace {
 
 using Place = Vec<double>;
 
-/// Of corners (m) that an edge or a triangle has, drawn out of their mean by `reach`.
+/// The corners (m) of an edge or a triangle, moved away from their mean by `reach`.
 template <std::size_t N>
 std::array<Place, N> drawn_out(const std::array<std::uint32_t, 3>& x, const double* q) {
   std::array<Place, N> corners{};

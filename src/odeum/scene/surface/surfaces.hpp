@@ -48,9 +48,9 @@ class Surfaces {
   /// particle.
   std::optional<Pierced> pierced(const double* q) const;
 
-  /// Of these and of copies of them, which hold as much.
+  /// Identifies the surfaces; copies share it.
   std::uint64_t id() const { return id_; }
-  /// Of the places of all particles.
+  /// How many numbers the positions of all particles have.
   std::size_t numbers() const { return 3 * fixed_.size(); }
   const SelfContact& law(std::uint32_t index) const { return laws_[index]; }
   double thickness() const { return thickness_; }  ///< the largest
@@ -58,7 +58,7 @@ class Surfaces {
   const std::vector<std::uint32_t>& balls() const { return balls_; }
   std::size_t edges() const { return edges_.size(); }
   std::size_t triangles() const { return triangles_.size(); }
-  /// By how much a pair's distance and slack shrink when its particles move by 1, at most.
+  /// A pair's distance and slack shrink by at most this when its particles move by 1.
   static constexpr double shrinks = 2 + 4 * reach;
 
  private:

@@ -111,7 +111,7 @@ struct Quantity {
   double value, reference;
 };
 
-/// Of the hanging cloth.
+/// The shape of the hanging cloth.
 std::vector<Quantity> shape_of(const Stage& stage, const double* y, const double* exact) {
   const std::size_t particles = stage.scene.size();
   const auto lowest = [&](const double* at) {
@@ -127,7 +127,7 @@ std::vector<Quantity> shape_of(const Stage& stage, const double* y, const double
           {"lowest", lowest(y), exact ? lowest(exact) : nan}};
 }
 
-/// Of the free one.
+/// The momenta of the free cloth.
 std::vector<Quantity> momenta_of(const Stage& stage, const double* y) {
   std::vector<double> masses;
   for (const scene::Particle& particle : stage.scene.particles) masses.push_back(particle.mass);

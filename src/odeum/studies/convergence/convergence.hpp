@@ -48,8 +48,8 @@ struct TimeRow {
                 energy_error)
 };
 
-/// Of a run with errors at its stops. Errors have six digits and energies nine: all of the rest is
-/// noise of the measurement, and half of the file.
+/// The row of a stop of a run with errors. Errors have six digits and energies nine: all of the
+/// rest is noise of the measurement, and half of the file.
 TimeRow time_row(const ConvergenceRow& run, const judge::StopError& stop);
 
 /// The order of one solver on one case: a line of orders.csv.

@@ -26,7 +26,7 @@ struct OrderClass {
   std::string_view name, settles;
 };
 
-/// Those of the verdicts `failed`, `undetermined` and `over_budget`.
+/// The classes of the verdicts `failed`, `undetermined` and `over_budget`.
 std::span<const OrderClass> order_classes();
 
 }  // namespace odeum::study

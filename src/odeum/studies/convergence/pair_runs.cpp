@@ -167,7 +167,7 @@ class PairRuns {
     return claimed > 6 || !(std::abs(now.order - claimed) > 0.75) || small_;
   }
 
-  /// Those solved, down to the smallest error.
+  /// The step counts that were solved, down to the smallest error.
   std::vector<std::uint64_t> informative_step_counts() const {
     std::vector<std::uint64_t> informative;
     const std::uint64_t end = steps_of_least_error();

@@ -14,7 +14,7 @@ bool is_small(const Case& c) { return c.y0.size() <= dense_dimension_limit; }
 // them.
 bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("cloth"); }
 constexpr std::uint64_t hard_budget = 30'000, quick_hard_budget = 10'000;
-// Of a small problem's extra runs, all together: half a second at a microsecond for each.
+// A small problem's extra runs together: half a second at a microsecond for each evaluation.
 constexpr std::uint64_t cheap_evaluations = 500'000;
 
 std::uint64_t share_of(const Case& c, std::uint64_t steps) {

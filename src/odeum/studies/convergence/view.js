@@ -22,7 +22,7 @@
   const judged = run.filter((verdict) => verdict !== 'over_budget');
   functions.is_judged = (verdict) => judged.includes(verdict);
   functions.verdict_sign = (verdict) => verdicts[verdict]?.[0] ?? '';
-  // What a reader sees of a verdict: that no step was stable is no failure of the code.
+  // What a reader sees of a verdict: a method without a stable step is not a failure of the code.
   functions.verdict_kind = (verdict, why) =>
     verdict === 'failed' && why === 'unstable' ? 'unstable' : verdict;
   functions.verdict_place = (verdict) => Object.keys(verdicts).indexOf(verdict);

@@ -63,7 +63,8 @@ struct Tools {
 
  private:
   static Preconditioned make(const Trial& trial, std::unique_ptr<linear::Preconditioner> m) {
-    // By then the ends of Lanczos' spectrum have converged: tests compare them with closed forms.
+    // At this residual the ends of Lanczos' spectrum have converged: tests compare them with closed
+    // forms.
     const linear::CgOutcome run =
         linear::preconditioned_cg(trial.a, *m, trial.b, {.relative_residual = 1e-13});
     return {std::move(m), run.lowest, run.highest};

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::uint64_t most_steps = 1 << 17;
 constexpr double longest_window = 20'000;  ///< times the largest |eigenvalue|
-/// Of dense matrices in one run: a second or two, foreseen from a run of half as many steps.
+/// The multiplications of dense matrices in one run: a second or two, foreseen from a run of half
+/// as many steps.
 constexpr double most_multiplications = 1e9;
 /// One run of a large system takes no longer, since a limit takes up to thirty runs, and an engine
 /// that looks for contacts may take milliseconds a step without any evaluation.
@@ -100,9 +101,10 @@ std::optional<Failure> failure_of(const StiffWindow& window, const Entrant& entr
   Request request;
   request.steps = steps;
   for (int k = 1; k <= 4; ++k) request.stops.push_back(window.c.t0 + window.length * k / 4);
-  // Of a large system, whose linear solvers count their products, some seconds as foreseen. Else
-  // what a step may take that converges: iterations of all stages, and at steps as long as these a
-  // dozen Jacobians by differences (a hanging chain with radau_iia9: 700 evaluations a step).
+  // A large system, whose linear solvers count their products, has some seconds as foreseen. Any
+  // other has what steps that converge may take: iterations of all stages, and at steps as long as
+  // these a dozen Jacobians by differences (a hanging chain with radau_iia9: 700 evaluations a
+  // step).
   const std::size_t n = window.sizes.size();
   request.budget.evaluations = n > dense_dimension_limit ? window.c.settings.evaluation_budget
                                                          : (256 + 12 * n) * steps + 1'000;

@@ -50,7 +50,7 @@ struct Specimen {
   double length = 1;        ///< m
   double gravity = 1;       ///< m/s^2
 
-  /// Of the slowest mode: angular frequency (1/s) without damping, damping ratio, and the mode's
+  /// The slowest mode: angular frequency (1/s) without damping, damping ratio, and the mode's
   /// shape, 1 at the lowest mass.
   double frequency() const;
   double damping_ratio() const;

@@ -69,7 +69,7 @@ class Sheet {
       : n_(n), scene_(sheet(family, n, hold)), problem_(scene_), v_(3 * n * n), a_(3 * n * n) {
     for (const scene::Particle& particle : scene_.particles)
       q_.insert(q_.end(), particle.position.begin(), particle.position.end());
-    // By Gershgorin no frequency is above sqrt(2 sum k / m), over the springs of a particle.
+    // No frequency is above sqrt(2 sum k / m), over the springs of a particle (Gershgorin).
     std::vector<double> sums(n * n);
     for (const scene::Spring& spring : scene_.springs)
       sums[spring.a] += spring.stiffness, sums[spring.b] += spring.stiffness;

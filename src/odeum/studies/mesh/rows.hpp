@@ -21,7 +21,8 @@ struct MeshRow {
   double extension = nan;     ///< hung by its upper edge, mean over the lower one, m
   double period = nan;        ///< of its slowest vertical oscillation, s
   double sag = nan;  ///< of its centre line below two opposite edges that are held level, m
-  /// Of its lowest particle below the two upper corners that hold it, m; NaN without shear springs.
+  /// How far its lowest particle hangs below the two upper corners that hold it, m; NaN without
+  /// shear springs.
   double drape = nan;
   /// What every stiffness must be multiplied by for the extension of the coarsest mesh.
   double factor = nan;

@@ -125,7 +125,7 @@ class Search {
   const TimedCase& stage_;
   TimedSolver& solver_;
   std::map<double, double> errors_;  ///< by fineness; infinite where a run failed
-  std::map<double, TimedRun> runs_;  ///< those that are no trials
+  std::map<double, TimedRun> runs_;  ///< those that are not trials
 };
 
 /// The time in which a solver seems to reach an error: that of a run, or between two runs, where

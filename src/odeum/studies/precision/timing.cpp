@@ -51,7 +51,7 @@ void time_once(const TimedCase& stage, TimedSolver& solver, TimedRun& trial) {
     trial.row.detail = fmt::format("the timed run ended {:.2g} away from the counted one", apart);
 }
 
-/// A trial is dropped if another of its library is no less accurate and faster by this factor:
+/// A trial is dropped if another of its library is at least as accurate and faster by this factor:
 /// guard and pointer cost up to 4.5 times an inlined right-hand side, and other programs may double
 /// a single time. Processor time without the guard's share is known better than that.
 constexpr double slow_factor = 10, exact_slow_factor = 1.5, guarded_time_factor = 2;

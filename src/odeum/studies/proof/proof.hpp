@@ -62,7 +62,7 @@ struct ProofRow {
   int order = 0, order_embedded = 0;  ///< claimed
   std::string needs;  ///< not empty: does not fit the test problems, tested on cases only
 
-  /// By the rooted-tree conditions at run time: the order of the row, and the first condition that
+  /// The order of the row by the rooted-tree conditions at run time, and the first condition that
   /// fails beyond it.
   std::optional<int> conditions, conditions_embedded;
   std::string failing_tree;

@@ -14,8 +14,8 @@
 namespace odeum::study {
 namespace {
 
-/// Of the spectrum along the solution the eigenvalues that can limit a step: the largest in each
-/// of the sectors into which the left half plane is cut. Small ones never do.
+/// The eigenvalues along the solution that can limit a step: the largest in each of the sectors
+/// into which the left half plane is cut. Small ones never do.
 struct Rays : SpectrumAlong {
   const Case* c = nullptr;
 };

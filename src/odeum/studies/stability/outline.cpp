@@ -14,9 +14,9 @@
 namespace odeum::study {
 namespace {
 
-// Above 1, so that rounding of a growth of 1 is no growth.
+// Rounding of a growth of 1 stays below it.
 constexpr double no_growth = 1.0001;
-// Of the shades of damping and the lines of growth.
+// The levels of the shades of damping and the lines of growth.
 constexpr double other_levels[] = {0.25, 0.5, 0.75, 1.25, 2};
 // What is compared with the level: growths far beyond it would bend the line.
 constexpr double largest = 4;
