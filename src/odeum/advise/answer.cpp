@@ -53,7 +53,7 @@ std::string text_of_runners(const Advice& advice, const Case& c) {
   }
   for (const auto& [id, ns] : closed)
     text += fmt::format(
-        "apart     {} evaluates the closed form of this linear problem and is no method that "
+        "apart     {} evaluates the closed form of this linear problem and is not a method that "
         "steps: {}\n",
         id, text_of_ns(ns));
   return text;

@@ -96,7 +96,7 @@ void Search::foresee(Candidate& candidate, const Trial& trial) const {
   const bool within = wishes_.time_ns > 0;
   const double error = std::max(trial.error, 1e-17), ns = whole_ns(candidate, trial),
                order = candidate.order();
-  // By which steps are to be more.
+  // The factor by which the steps have to become more.
   const double more = std::clamp(
       within ? wishes_.time_ns / ns : std::pow(error / wishes_.error, 1 / order), 1e-3, 1e3);
   candidate.foreseen =

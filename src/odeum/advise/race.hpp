@@ -21,7 +21,8 @@ struct Wishes {
   /// One of the two: the largest error at the case's stops, in the units of its errors, or the time
   /// of a run, in nanoseconds of processor time.
   double error = 0, time_ns = 0;
-  /// Of the energy at the stops, relative to the largest one: with an error; 0: none is asked for.
+  /// Largest error of the energy at the stops, relative to the largest energy, beside an error; 0:
+  /// none is asked for.
   double energy = 0;
   /// With that: the time up to which the energy keeps to it, which the problem conserves.
   double horizon = 0;
@@ -62,10 +63,10 @@ struct Trial {
   double error = nan;
   double ns = 0;  ///< processor time under the guard, less what the guard takes; mean of the cases
 
-  /// Of the first case.
+  /// The counters of the run on the first case.
   const Counters& counters() const { return parts.front().counters; }
 
-  /// That of the states alone.
+  /// The largest error of the states alone.
   double state_error() const;
   double energy_error() const;
   /// The case of the largest error.
@@ -92,7 +93,7 @@ struct Candidate {
   Dropped dropped = {};
   study::Times times = {};  ///< of `found`, with the bare right-hand side
 
-  /// By how much the error falls where the fineness grows tenfold, in powers of ten.
+  /// Powers of ten by which the error falls where the fineness grows tenfold.
   double slope() const;
   /// Claimed order, at least 1; 4 where a step control has none, 2 at fixed steps.
   double order() const;

@@ -54,7 +54,8 @@ class Search {
   bool heats(std::vector<Candidate>& candidates);
   Trial heat(Candidate& candidate);
   void foresee(Candidate& candidate, const Trial& trial) const;
-  /// Of dear runs, in the order foreseen; of each library the best one at least.
+  /// Visits the candidates of dear runs in the order foreseen; of each library the best one at
+  /// least.
   void each_worth(std::vector<Candidate>& candidates, const std::function<void(Candidate&)>& visit);
   void search_cheap(std::vector<Candidate>& candidates);
   void try_longer(std::vector<Candidate>& candidates);

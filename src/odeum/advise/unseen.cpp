@@ -18,7 +18,7 @@ struct Interval {
   std::size_t component;
 };
 
-/// Those within which a run has no evaluation; `times` ascend.
+/// The intervals within which a run has no evaluation; `times` ascend.
 std::vector<Interval> without_evaluations(const std::vector<Kink>& kinks,
                                           const std::vector<double>& times) {
   std::vector<Interval> found;
@@ -118,7 +118,7 @@ void add_pulse(Inquiry& q, const Interval& unseen) {
                     unseen.from, unseen.to, q.names[unseen.component]));
 }
 
-/// Of a component of f at the ends of some steps before and after one.
+/// The range of component i of f at the ends of some steps before and after step k.
 double range_around(const std::vector<std::vector<double>>& slopes, std::size_t k, std::size_t i) {
   constexpr std::size_t wide = 2;
   double low = infinity, high = -infinity;

@@ -49,11 +49,11 @@ class TextOde {
   /// Which entries of the Jacobian are not zero by form.
   const Sparsity& sparsity() const { return sparsity_; }
 
-  /// Of a problem whose parameters kept their names (Parameters::names), and of compiled code:
-  /// gives them these values, and the start that follows from them. False where there is no
-  /// compiled code. Not while another thread computes with this.
+  /// Gives these values to the parameters of a problem that kept their names (Parameters::names),
+  /// in compiled code, and to the start that follows from them. False where there is no compiled
+  /// code. Not while another thread computes with this.
   bool set_parameters(const std::map<std::string, long double>& values);
-  /// Those of the graph's definitions that were set last.
+  /// The values of the graph's definitions that were set last.
   const std::vector<double>& constants() const { return constants_; }
 
   const Problem& problem() const { return problem_; }

@@ -35,7 +35,7 @@
 ///                                                double end, const Tolerance& tolerance);
 ///                                                                          // a TrialSteps
 ///
-/// or, where its steps are no trials, a complete adaptive run through every stop of the request:
+/// or a complete adaptive run through every stop of the request, for methods without trial steps:
 ///
 ///     template <class P> static Outcome integrate(const P& problem, double t0, const State<P>& y0,
 ///                                                 const Request& request);

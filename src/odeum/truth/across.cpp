@@ -50,7 +50,7 @@ class LaterInsight final : public Insight {
 };
 
 System later(System s, Real origin) {
-  // Of the time, the state, and perhaps more.
+  // Moves a function of the time, the state, and perhaps more.
   const auto move = [origin](auto& function) {
     if (function)
       function = [function, origin](Real t, const Real* y, auto... more) {

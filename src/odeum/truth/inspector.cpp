@@ -28,7 +28,8 @@ bool within_factor(const Interval& x, double factor) {
 /// a step having eight cells.
 bool is_resolved(Op op, const Interval& a, const Interval& b, const Interval& v) {
   constexpr double part = 0.25, factor = 1.5;
-  // Of a function that has reached its limit, like tanh, at any argument. Intervals widen by 2^-49.
+  // A function that has reached its limit, like tanh, is constant to this. Intervals widen by
+  // 2^-49.
   constexpr double constant = 0x1p-47;
   constexpr double zero = 1e-300;
   if (v.width() <= constant * std::max(std::abs(v.low), std::abs(v.high)) + zero) return true;

@@ -85,8 +85,8 @@ void extrapolate(std::array<State, rows>& table, int row, State& line, State& di
   table[static_cast<std::size_t>(row)] = line;
 }
 
-/// By how much a step may change for an error of an order. Double suffices for it, and its power
-/// takes a tenth of the time.
+/// The factor by which a step may change for an error of an order. Double suffices for it, and its
+/// power takes a tenth of the time.
 inline Real step_factor(Real error, int order) {
   if (!std::isfinite(error)) return 0.25L;
   if (error == 0) return 4;
@@ -114,7 +114,7 @@ inline double overhead_of_step(const System& system, std::size_t states, bool is
   return 200 + 20 * static_cast<double>(states) + (is_inspected ? 400 + 40 * system.work : 0);
 }
 
-/// That the seconds or the work of a run are spent; empty while they are not.
+/// Says that the seconds or the work of a run are spent; empty while they are not.
 inline std::string words_of_limit(const Effort& effort, double work, Real t) {
   const bool late = is_past(effort.until);
   if (!late && work <= effort.budget) return {};
@@ -141,7 +141,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   system.rhs(system.t0, y.data(), f.data());
   Real t = system.t0;
   const Real span = effort.span > 0 ? effort.span : times.back() - t;
-  // Of a start at zero the slope tells a size, for one step.
+  // The slope tells the size of a start at zero, for one step.
   if (measured.none_yet()) measured.expect(size_soon(system, span * 0x1p-20L, y, f));
   const Real slope = largest_ratio(f, sizes);
   Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / effort.parts);

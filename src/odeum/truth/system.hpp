@@ -36,7 +36,7 @@ class Insight {
   virtual Inside look(Real t, Real h, const State& y, const State& next) = 0;
   /// A bound of the rounding of f at (t, y) in extended precision, by component; false: not known.
   virtual bool rounding(Real /*t*/, const State& /*y*/, State& /*bound*/) { return false; }
-  /// By how much f may vary within a step that is too short to be looked into, by component.
+  /// How much f may vary within a step that is too short to be looked into, by component.
   virtual State spread(Real /*t*/, Real /*h*/, const State& y, const State& /*next*/) {
     return State(y.size());
   }
@@ -69,14 +69,14 @@ struct System {
   bool smooth = true;
   /// For a run of the length `span`; empty: there is none.
   std::function<std::unique_ptr<Insight>(Real span)> insight;
-  /// Of equations with kinks: a smooth system that holds from (t, y) on until `holds` is not
-  /// positive, on constants that are moved or not; null: none does, since the solution stays
-  /// where a condition changes.
+  /// For equations with kinks, a smooth system that holds from (t, y) on until `holds` is not
+  /// positive, on constants that are moved or not; null: none does, since the solution stays where
+  /// a condition changes.
   std::function<std::shared_ptr<System>(Real t, const State& y, Real span, bool moved)> mode_at;
   /// Times, ascending, at which steps end, since one mode ends and another one begins there.
   State switches;
   std::function<Real(Real t, const Real* y)> holds;
-  /// Of a mode, the right-hand side of which it is one; empty: it is no mode.
+  /// The right-hand side of which this is a mode; empty: it is not a mode.
   std::function<void(Real t, const Real* y, Real* f)> whole_rhs;
   /// Whether several threads may call the functions at once.
   bool concurrent = false;
@@ -116,8 +116,8 @@ struct Run {
   bool split = false;  ///< steps were shortened for what was found inside of them
   /// The time just after a condition has changed, at which the run ended, and the state there.
   std::optional<std::pair<Real, State>> changed;
-  /// By component, what steps too short to be looked into may hide, and what the rounding of the
-  /// times of switches moves; empty: nothing.
+  /// For each component, what steps too short to be looked into may hide, and what the rounding of
+  /// the times of switches moves; empty: nothing.
   State unsure;
   std::size_t sure = 0;  ///< how many of the first states are not moved by that
   State peaks;           ///< the largest of each component
@@ -200,7 +200,7 @@ class Accuracy {
 struct Reference {
   std::vector<double> times;  ///< at which it is known: those asked for, and others between
   std::vector<State> states;
-  /// By time: bounds of the error of each component, in its own unit, in extended precision.
+  /// For each time, bounds of the error of each component, in its own unit, in extended precision.
   std::vector<std::vector<double>> floors;
   double known_until = 0;  ///< the last time that was looked at and is known
   std::string end;         ///< why nothing is known beyond; empty: all is known
