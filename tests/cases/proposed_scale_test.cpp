@@ -54,7 +54,8 @@ TEST(ProposedScale, IsTheSizeOfEachState) {
   // The scale of the file is the unit of absolute tolerances as well.
   const Case given = of_text(std::string(enzyme) + "scale: {S: 1e-2, E: 1e-5, C: 1e-5, P: 1e-4}\n");
   EXPECT_EQ(given.tolerance.threshold(1), 1e-5);
-  // A tolerance is no unit of errors: a run to `advise --error 1e-3` was a step of Euler's method.
+  // A tolerance is not a unit of errors: a run to `advise --error 1e-3` was a step of Euler's
+  // method.
   const Case tolerant =
       of_text(std::string(enzyme) + "tolerance: {relative: 1e-6, absolute: 1e-9}\n");
   EXPECT_EQ(tolerant.units.scale, c.units.scale);
