@@ -24,10 +24,12 @@ struct Wishes {
   /// Largest error of the energy at the stops, relative to the largest energy, beside an error; 0:
   /// none is asked for.
   double energy = 0;
-  /// With that: the time up to which the energy keeps to it, which the problem conserves.
+  /// Beside `energy`, which the problem conserves: the time up to which it keeps to that, in the
+  /// case's unit.
   double horizon = 0;
-  /// Length of a frame: fixed steps divide it, and `time_ns` is the time allowed for one frame.
-  /// With an error, the cases' stops are the ends of the frames. 0: no frames.
+  /// Length of a frame in the case's unit of time: fixed steps divide it, and `time_ns` is the time
+  /// allowed for one frame. With an error, the cases' stops are the ends of the frames. 0: no
+  /// frames.
   double frame = 0;
   double seconds = 0;  ///< for the answer; 0: 20, and where a run takes over 2 ms
                        ///< that of 30 of the best runs foreseen, up to 600

@@ -9,7 +9,8 @@
 #include "odeum/judge/order_fit.hpp"
 
 /// What a fit of an order is made of: local slopes of log error against log step and the window in
-/// which they agree, the first two terms of the error, and its floor.
+/// which they agree, the first two terms of the error, and its floor. Points are sorted from coarse
+/// to fine; steps and errors may have any unit, the same for all. Nothing throws; thread-safe.
 namespace odeum::judge {
 
 /// Student's t, 97.5 %, for 1, 2, ... degrees of freedom; 2.1 for many.

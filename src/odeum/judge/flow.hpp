@@ -8,7 +8,9 @@
 namespace odeum::judge {
 
 /// The flow of a case by an own explicit method to a tolerance, or by radau_iia5 where the explicit
-/// one takes more than 20,000 evaluations to the end, and radau_iia5 no more than those.
+/// one takes more than 20,000 evaluations to the end, and radau_iia5 no more than those. States
+/// have as many numbers as c.y0, times are those of the case, which has to outlive it. For one
+/// thread.
 class Flow {
  public:
   /// Throws std::runtime_error, with a clause that says why, where neither method gets to `end`.

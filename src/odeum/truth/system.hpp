@@ -16,6 +16,11 @@
 /// References that Odeum computes for problems without a closed form: by two methods of different
 /// families in extended precision, which no competitor is (their steps, orders and programs are not
 /// those of Odeum's own methods).
+///
+///     System system;
+///     system.states = 1, system.y0 = {1};
+///     system.rhs = [](Real, const Real* y, Real* f) { f[0] = -y[0]; };
+///     const Reference known = compute_reference(system, {1, 2}, {});  // exp(-1), exp(-2)
 namespace odeum::truth {
 
 using Real = long double;
@@ -47,7 +52,11 @@ class Watched;
 /// Part of itself, see System::moved_rhs and Effort::disturb.
 inline constexpr Real moved_by = 0x1p-40L;
 
-/// An initial value problem in extended precision.
+/// An initial value problem in extended precision. Times and states are in the problem's units; y,
+/// f and State have `states` numbers. `states`, `y0` and `rhs` are required. `entries` comes with
+/// `sparsity` and in place of `jacobian`, `moved_rhs` with `moved_y0`, `mode_at` with `moved_y0`
+/// where `smooth` is false; `holds` and `whole_rhs` belong to what `mode_at` returns. All else may
+/// be empty.
 struct System {
   std::size_t states = 0;
   Real t0 = 0;
@@ -164,9 +173,9 @@ System from_zero(const System& system);
 Run run_across(Method method, const System& system, const std::vector<Real>& times,
                const Effort& effort, bool moved);
 
-/// While it lives, a reference whose computation begins has to be done by then, on any thread: one
-/// that is not has what two methods agree on up to there, to fewer digits or up to an earlier time,
-/// and is not kept.
+/// While alive, bounds every reference whose computation begins, on any thread. One that is cut
+/// short has what two methods agree on so far, to fewer digits or up to an earlier time, and is not
+/// kept.
 class Deadline {
  public:
   explicit Deadline(Moment until) : before_(in_force_.exchange(until)) {}
@@ -181,8 +190,8 @@ class Deadline {
 };
 inline bool is_past(Moment moment) { return std::chrono::steady_clock::now() > moment; }
 
-/// While it lives, references need to be known no better than to this error, in the units of their
-/// errors.
+/// While alive, references on any thread need to be known no better than to this error, in the
+/// units of their errors.
 class Accuracy {
  public:
   explicit Accuracy(double error) : before_(in_force_.exchange(error)) {}
@@ -213,7 +222,9 @@ struct Reference {
 /// The exact states at the times (ascending) to as many digits as two methods agree on. The
 /// tolerances are refined until the runs agree no better. A floor is their disagreement, with a
 /// safety factor, and what the rounding of constants adds. Where they
-/// agree on less than 1e-6 of the solution, both in these units, nothing is known.
+/// agree on less than 1e-6 of the solution, both in these units, nothing is known. Where the system
+/// is `concurrent`, up to three threads call its functions. Throws Interrupted, and what they
+/// throw.
 Reference compute_reference(const System& system, const std::vector<double>& times,
                             const ErrorUnits& units);
 
