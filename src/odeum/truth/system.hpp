@@ -20,7 +20,8 @@
 ///     System system;
 ///     system.states = 1, system.y0 = {1};
 ///     system.rhs = [](Real, const Real* y, Real* f) { f[0] = -y[0]; };
-///     const Reference known = compute_reference(system, {1, 2}, {});  // exp(-1), exp(-2)
+///     const Reference known = compute_reference(system, {1, 2}, {});
+///     // known.states[k][0] is exp(-known.times[k]); 1 and 2 are among the times
 namespace odeum::truth {
 
 using Real = long double;

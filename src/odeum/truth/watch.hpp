@@ -14,8 +14,8 @@
 
 namespace odeum::truth {
 
-/// A trial step from (t, y): the new state, its error over the tolerance (of an order), and what
-/// the step has cost.
+/// A trial step from (t, y): the new state, its error divided by the tolerance, and the operations
+/// spent.
 struct Trial {
   State y;
   Real error = 0;
