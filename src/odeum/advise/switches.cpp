@@ -28,7 +28,8 @@ std::optional<Kink> kink_at(const Path& path, double t, double wide,
   const std::vector<double> near = bend(wide / ratio).first;
   if (!is_finite(far.data(), far.size()) || !is_finite(near.data(), near.size())) return {};
   constexpr double rounding = 1e6 * epsilon;
-  // Among the components that bend beyond rounding, takes the one that f moves most, by its size.
+  // Among the components that bend beyond rounding, takes the one whose rate bends most, relative
+  // to its size.
   std::optional<std::size_t> most;
   double largest = 0;
   for (std::size_t i = 0; i < near.size(); ++i) {

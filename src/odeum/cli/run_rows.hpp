@@ -64,8 +64,8 @@ RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs,
 /// `82 evaluations, 3 Jacobians, 214 products in linear solvers`.
 std::string cost_text(const Counters& counters);
 
-/// What a run that waits for the truth has shown so far: how it ended, and its end state where it
-/// has few numbers. `seconds`: of the processor.
+/// The text of a run whose error waits for the truth: how it ended, and its end state where it has
+/// few numbers. `seconds`: of the processor.
 std::string first_text(const trajectories::CaseRun& run, std::size_t numbers, double seconds);
 
 /// Lines: the error, whether the tolerance explains it, and what else the run shows.
