@@ -16,7 +16,7 @@ namespace odeum::advise {
 
 /// A run whose end is off by more than this share of the solution's size is not an answer.
 inline constexpr double far_off = 0.02;
-/// For a fixed step, where no tolerance was asked for.
+/// The tolerance at a fixed step, where none was asked for.
 inline constexpr double usual_tolerance = 1e-6;
 
 /// The state at the end of the run.
@@ -53,7 +53,7 @@ struct Inquiry {
   std::vector<Run> others;  ///< in the order of why.others
   std::optional<Known> known;
   std::optional<Run> trusted;  ///< one that ends there
-  /// Without any such: two of different families, to a hundredth of the tolerance.
+  /// Two runs of different families to a hundredth of the tolerance, where none is trusted.
   std::optional<std::pair<Run, Run>> disagree;
   /// The largest factor by which the problem itself makes an error grow up to the end, of the sizes
   /// of the components; 0: it was not measured.
@@ -97,7 +97,7 @@ struct Inquiry {
   /// Distance of a run's end from what is known of the solution; infinite where the run did not get
   /// there, NaN where nothing is known or it ends elsewhere.
   double difference(const Run& of) const;
-  /// From the case's truth; NaN where that is not known.
+  /// The error against the case's truth; NaN where that is not known.
   double error_at_end(const Request& request, const Outcome& outcome) const;
 };
 

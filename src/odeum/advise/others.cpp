@@ -150,7 +150,7 @@ void agree(Inquiry& q) {
     if (run.ok()) q.keep(run);
     if (take(std::move(run))) return;
   }
-  // Where the tighter ones could not be paid for.
+  // Two tight runs that do not agree say so; where fewer could be paid for, the others are taken.
   if (tight.size() >= 2) {
     q.disagree = std::pair(std::move(tight[0]), std::move(tight[1]));
     return;

@@ -12,7 +12,7 @@
 namespace odeum::advise {
 namespace {
 
-/// From one change of the equations to the next.
+/// The time from one change of the equations to the next.
 struct Interval {
   double from, to;
   std::size_t component;
@@ -55,7 +55,7 @@ class Step {
       seen_.push_back(*at);
   }
 
-  /// From the straight line between the slopes at the ends.
+  /// The deviation from the straight line between the slopes at the ends.
   double deviation(std::size_t i, double t, double value) const {
     const double part = (t - from_) / (to_ - from_);
     return value - (slopes_.front()[i] + part * (slopes_.back()[i] - slopes_.front()[i]));
@@ -72,7 +72,7 @@ class Step {
       most = std::max(most, std::abs(deviation(i, t, path_.slope(t)[i])));
     return most;
   }
-  /// Where the deviation is more than half of its largest.
+  /// The interval in which the deviation is more than half of its largest.
   Interval pulse(std::size_t i) const {
     const double half = 0.5 * largest(i);
     Interval found{to_, from_, i};

@@ -44,11 +44,11 @@ constexpr Inside inside_of() {
   return M::info.one_step ? Inside::restep : Inside::none;
 }
 
-/// In place of trial steps at fixed steps.
+/// Stands for trial steps at fixed steps.
 struct NoTrial {};
 
 namespace detail {
-/// In place of a method whose steps are not needed.
+/// Stands for a method whose steps are not needed.
 struct NoMethod {
   template <class Problem>
   using Stepper = NoMethod;
@@ -90,7 +90,7 @@ class LastStep {
     cut_ = true;
     return status;
   }
-  /// For the parts of a run: room for a state.
+  /// Room for a state, for the parts of a run.
   S& inner() { return inner_; }
 
   /// Fills y with the state at a time in [t0, t1]; the status of the step that finds it, after a

@@ -10,7 +10,7 @@
 namespace odeum::cases {
 namespace {
 
-/// To one digit, as it is written.
+/// The size to one digit, as it is written.
 double rounded(double size) { return std::stod(fmt::format("{:.0e}", size)); }
 
 bool is_near_one(double size) { return size >= 0.01 && size <= 100; }

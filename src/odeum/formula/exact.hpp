@@ -23,7 +23,7 @@ class Exact {
  public:
   /// `exact` must not be empty; its derivatives are added to the graph.
   explicit Exact(Problem& problem);
-  /// For a problem whose parameters kept their names.
+  /// Sets the definitions of a problem whose parameters kept their names.
   void define(const std::vector<long double>& definitions);
 
   /// Where the formula is not the solution.

@@ -38,7 +38,7 @@ class TextOde {
   void rhs(double t, const double* y, double* f) const { view_.rhs(&handle_, t, y, f); }
   OdeView view() const { return view_; }
 
-  /// In extended precision.
+  /// The right-hand side in extended precision.
   void rhs_extended(long double t, const long double* y, long double* f) const {
     raw_.extended_rhs(&handle_, t, y, f);
   }
@@ -63,7 +63,7 @@ class TextOde {
  private:
   template <class Real>
   using Function = void (*)(const void*, Real, const Real*, Real*);
-  /// As they are computed, with what is not finite.
+  /// The functions as they are computed, with values that are not finite.
   struct Raw {
     Function<double> jacobian = nullptr, entries = nullptr, implicit_jacobian = nullptr,
                      time_derivative = nullptr;

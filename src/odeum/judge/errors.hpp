@@ -25,9 +25,9 @@ std::vector<std::size_t> measured_components(const Case& c);
 /// components, and of a scene the largest distance of a particle from its exact place, in m. `y`
 /// and `exact` have as many numbers as c.y0.
 double error_of(const Case& c, const double* y, const double* exact);
-/// Which component has it, or is the first of several.
+/// The component that has this error, or the first of several.
 std::size_t worst_component(const Case& c, const double* y, const double* exact);
-/// For people: `absolute`, or which units errors are in.
+/// The units of errors in words, as `absolute`.
 std::string unit_text(const Case& c);
 /// The error of the state at a time; NaN where the truth is not known, infinite past its end.
 double error_at(const Case& c, double time, const double* state);

@@ -19,7 +19,7 @@ class Flow {
   /// The states at the stops, one after the other, from y at `start`. Throws like the constructor.
   std::vector<double> solve(double start, const std::vector<double>& y,
                             const std::vector<double>& stops);
-  /// From the case's start, to another relative tolerance; nothing where that run fails.
+  /// The states from the case's start, to another relative tolerance; nothing where that run fails.
   std::vector<double> states(const std::vector<double>& stops, double relative) const;
 
   /// The case's start, the stops, and `count` times between that part the evaluations of the run to

@@ -29,7 +29,7 @@ class SpectralRadius {
     begin();
   }
 
-  /// At (t, y) with f = f(t, y); an upper bound as far as the iteration has converged.
+  /// The radius at (t, y) with f = f(t, y); a bound as far as the iteration has converged.
   double operator()(double t, const State<P>& y, const State<P>& f) {
     constexpr double safety = 1.2, agreement = 0.01;
     constexpr int most = 60;

@@ -29,7 +29,7 @@ void add(const State& more, State& sum) {
   for (std::size_t i = 0; i < more.size(); ++i) sum[i] += more[i];
 }
 
-/// With a later time as zero.
+/// An insight with a later time as zero.
 class LaterInsight final : public Insight {
  public:
   LaterInsight(std::unique_ptr<Insight> insight, Real origin)

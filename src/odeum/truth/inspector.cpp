@@ -12,7 +12,7 @@ using formula::Intervals;
 using formula::lanes;
 using formula::Op;
 
-/// As wide as the rounding to double at least.
+/// The interval is at least as wide as the rounding to double.
 Interval box_of(Real low, Real high) {
   const Real rounding = 0x1p-51L * std::max(std::abs(low), std::abs(high));
   return {static_cast<double>(low - rounding), static_cast<double>(high + rounding)};
