@@ -20,8 +20,8 @@ struct RunRow {
   std::string detail;
   Counters counters;
   double reached = nan;  ///< the last time whose state was recorded
-  /// At `error_time`, the last output at which the truth is known; nan: at none. Of a run whose
-  /// steps end on several stops the largest at them.
+  /// The error at `error_time`, the last output at which the truth is known (nan: at none); the
+  /// largest at the stops of a run whose steps end on several.
   /// `error_max` times `error_unit` is the error of `error_component` in its own unit.
   double error_time = nan;
   std::string error_component;

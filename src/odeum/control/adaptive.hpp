@@ -48,7 +48,7 @@ template <class S>
 struct StepMade {
   double t, h;
   const S &before, &after;
-  /// Where a time lies in it, 0 to 1.
+  /// The share of the step at a time, 0 to 1.
   double share(double time) const { return (time - t) / h; }
   /// On the straight line between its ends, for where nothing better is known.
   void by_line(double time, S& y) const {

@@ -132,7 +132,7 @@ class Runner {
     return run_by(0, what, tasks, key, work);
   }
 
-  /// For what is timed within a task.
+  /// How many threads the tasks may take.
   unsigned jobs() const { return jobs_; }
 
  private:

@@ -35,7 +35,7 @@ class Noise {
     constexpr Real amplified = 16;
     const Real unit = system_.rounding, relative = 0x1p11L * unit;
     system_.rhs(t, y.data(), f_.data());
-    // To both sides: beyond a jump of f, the difference is not that of rounding.
+    // Both sides are looked at: beyond a jump of f, the difference is not that of rounding.
     for (std::size_t i = 0; i < y.size(); ++i) moved_[i] = y[i] * (1 + relative);
     system_.rhs(t, moved_.data(), above_.data());
     for (std::size_t i = 0; i < y.size(); ++i) moved_[i] = y[i] * (1 - relative);
@@ -109,7 +109,7 @@ inline Real size_soon(const System& system, Real h, State y, State f) {
   return std::min(h * (std::isfinite(later) ? std::max(size, later) : size), 1.0L);
 }
 
-/// As measured: of allocations, and of the inspector's intervals.
+/// The measured cost of allocations, and of the inspector's intervals, in operations.
 inline double overhead_of_step(const System& system, std::size_t states, bool is_inspected) {
   return 200 + 20 * static_cast<double>(states) + (is_inspected ? 400 + 40 * system.work : 0);
 }
