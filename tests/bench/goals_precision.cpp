@@ -49,7 +49,7 @@ constexpr Level levels[] = {{"osc_undamped", 3, 2},
                             {"heat_2d", 3, 5},
                             {"heat_2d", 6, 2}};
 
-/// Loads the file of problems of that name where it is not a case of the project.
+/// Loads the problem file of that name where no case of the project has it.
 void know(const std::string& id) {
   const std::vector<std::string> known = known_ids();
   if (std::count(known.begin(), known.end(), id)) return;

@@ -79,8 +79,8 @@ double process_size(const std::string& name) {
   return nan;
 }
 
-/// The rise of this process's memory while `run` lasts, in bytes. Memory that was freed before is
-/// given back and the peak is reset, so that rows measured earlier change nothing.
+/// The largest rise of this process's memory during `run`, in bytes. Memory that was freed before
+/// is given back and the peak is reset, so that rows measured earlier change nothing.
 double peak_growth(const std::function<void()>& run) {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";

@@ -54,7 +54,17 @@ TEST(ProposedScale, IsTheSizeOfEachState) {
   // The scale of the file is the unit of absolute tolerances as well.
   const Case given = of_text(std::string(enzyme) + "scale: {S: 1e-2, E: 1e-5, C: 1e-5, P: 1e-4}\n");
   EXPECT_EQ(given.tolerance.threshold(1), 1e-5);
-  EXPECT_TRUE(stated("tolerance: {relative: 1e-6, absolute: 1e-9}\n").empty());
+  // A tolerance is not a unit of errors: a run to `advise --error 1e-3` was a step of Euler's
+  // method.
+  const Case tolerant =
+      of_text(std::string(enzyme) + "tolerance: {relative: 1e-6, absolute: 1e-9}\n");
+  EXPECT_EQ(tolerant.units.scale, c.units.scale);
+  EXPECT_EQ(tolerant.tolerance.absolute(0), 1e-9);
+  const Case exact = of_text(
+      "states: {y: 1e-9}\nequations: {y: -1000*y}\nexact: {y: 1e-9*exp(-1000*t)}\n"
+      "time: {end: 4e-3}\n");
+  EXPECT_EQ(exact.units.scale, Scale{1e-9});
+  EXPECT_LT(exact.truth.floor, 1e-14);
   // States near 1 stay in their own units.
   EXPECT_TRUE(
       of_text("states: {y: 2}\nequations: {y: -y^2}\ntime: {end: 3}\n").units.scale.empty());

@@ -103,7 +103,7 @@ TEST(ShippedProblems, HaveTheFunctionsOfTheCompiledCases) {
 cases::TextTruth truth_of(const formula::Problem& problem) {
   return problem.exact.empty()
              ? cases::truth_of(std::make_shared<const TextOde>(problem), {problem.scale})
-             : cases::closed_form(problem);
+             : cases::closed_form(problem, {problem.scale});
 }
 
 // The test set for initial value problem solvers (Bari) gives these, computed with RADAU5 to a

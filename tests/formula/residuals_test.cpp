@@ -101,7 +101,7 @@ TEST(Residuals, WithMistakesAreRefusedWithTheirPlace) {
       {"states: {x: 1, y: 0}\nequations: {x: y', y: x}" + end,
        "a.yaml:2:16: equations: x: no rate of a state; got y'"},
       {"states: {x: 1, y': 0}\nresiduals: [x' + y]" + end,
-       "a.yaml:1:16: states: the rate of what is no state above"},
+       "a.yaml:1:16: states: the rate of an unknown state"},
       {"states: {x: ~, y: ~}\nresiduals: [x' + y, x + y - 1]" + end,
        "2 of unknown start; got 1 constraints on them"}};
   for (const auto& [text, sentence] : mistakes)

@@ -30,8 +30,8 @@ double rate_of(const Inquiry& q, const std::vector<double>& f) {
   return rate;
 }
 
-/// Of the solution at a time: at the state of the trusted run next to it, whose fast parts are at
-/// rest to a hundredth of the tolerance; else at the run's own.
+/// The rate of the solution at a time: at the state of the trusted run next to it, whose fast parts
+/// are at rest to a hundredth of the tolerance; else at the run's own.
 double rate_at(const Inquiry& q, const Moment& at) {
   const Moment* nearest = &at;
   if (q.trusted) {
@@ -135,7 +135,7 @@ Segment segment_of(const Inquiry& q, const std::vector<const Sample*>& samples, 
   return segment;
 }
 
-/// Those of one cause after the other; what has less than `least` of the steps joins the one
+/// The segments of one cause after the other; one with less than `least` of the steps joins the one
 /// before.
 std::vector<Segment> segments_of(const Inquiry& q, double least) {
   std::vector<std::vector<const Sample*>> parts;

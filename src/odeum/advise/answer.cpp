@@ -53,7 +53,7 @@ std::string text_of_runners(const Advice& advice, const Case& c) {
   }
   for (const auto& [id, ns] : closed)
     text += fmt::format(
-        "apart     {} evaluates the closed form of this linear problem and is no method that "
+        "apart     {} evaluates the closed form of this linear problem and is not a method that "
         "steps: {}\n",
         id, text_of_ns(ns));
   return text;
@@ -199,7 +199,8 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
                         ? fmt::format(" of the {} given", text_of_ns(advice.wishes.time_ns))
                         : fmt::format("; the error is the largest at {:g} frames", advice.frames));
   else
-    text += fmt::format("stops     {}: the error is the largest there\n", text_of_stops(c));
+    text += fmt::format("stops     {}: the error is the largest there{}\n", text_of_stops(c),
+                        c.has_tag("scene") ? "; --frame 1/60 keeps it at every frame" : "");
   text += text_of_absolutes(found, c);
   text += text_of_wishes(advice, asked);
   if (known_part(c)) text += fmt::format("truth     {}\n", words_of_truth(c));

@@ -15,7 +15,7 @@ namespace odeum::advise {
 struct Asked {
   std::string problem;
   std::string more;  ///< the words of --set and --plugin, each after a space
-  /// By case the parameters that vary, each as `k=2`; empty: there is one case.
+  /// The parameters that vary, each as `k=2`, for each case; empty: there is one case.
   std::vector<std::vector<std::string>> points = {};
   std::optional<double> until = {};  ///< where the run ends, if not at the problem's end
 };

@@ -22,7 +22,7 @@ std::string name_of(const Candidate& candidate) {
 std::string command_of(const Advice& advice, const Case& c, const Asked& asked) {
   const Candidate& winner = winner_of(advice);
   std::string words = asked.more;
-  // Of a box, at the parameters of the largest error.
+  // The command for a box sets the parameters of the largest error.
   if (!asked.points.empty())
     for (const std::string& set : asked.points[winner.found->worst()]) words += " --set " + set;
   if (advice.on_stops)

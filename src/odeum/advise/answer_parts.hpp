@@ -23,7 +23,7 @@ std::string command_of(const Advice& advice, const Case& c, const Asked& asked);
 /// Others that the times do not tell from the winner; within a time, others of about its error.
 std::vector<std::string> same_within_noise(const Advice& advice);
 
-/// Where the answer holds for a part of the time that was asked for: until when.
+/// The time until which the answer holds, where that is a part of what was asked for.
 std::optional<double> known_part(const Case& c);
 
 struct RunnerUp {

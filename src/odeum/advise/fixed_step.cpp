@@ -79,7 +79,7 @@ bool steps_inside_help(Inquiry& q) {
 }  // namespace
 
 void look_at_edge(Inquiry& q) {
-  // Where a step first leaves the region, and for how much of the time.
+  // Finds where a step first leaves the region, and for how much of the time.
   const Sample* first = nullptr;
   const Sample* worst = nullptr;
   double outside = 0, all = 0;
@@ -177,7 +177,7 @@ void look_at_fixed_step(Inquiry& q) {
   }
   if (!(ratio > 2)) return;
   const std::uint64_t times = finer.steps / q.run.request.steps;
-  // As of a Jacobian whose eigenvectors are far from orthogonal.
+  // A Jacobian whose eigenvectors are far from orthogonal has such runs.
   if (size > 10 && ratio > 100) {
     q.add(Cause::stability, 1, q.c.t0,
           fmt::format("the states grow to {:.2g} times the size of the solution, and not with {} "

@@ -89,14 +89,14 @@ double Search::whole_ns(const Candidate& candidate, const Trial& to_first) const
   return to_first.ns / (candidate.mode == Mode::fixed ? part : std::max(part, each));
 }
 
-/// From a run to the first stop: the time to the error asked, or the error within the time.
+/// Foresees, from a run to the first stop, the time to the error asked, or the error in the time.
 void Search::foresee(Candidate& candidate, const Trial& trial) const {
   // Coarser settings may be unstable: no more than half of the time is expected to be saved.
   constexpr double most_saved = 2;
   const bool within = wishes_.time_ns > 0;
   const double error = std::max(trial.error, 1e-17), ns = whole_ns(candidate, trial),
                order = candidate.order();
-  // By which steps are to be more.
+  // The factor by which the steps have to become more.
   const double more = std::clamp(
       within ? wishes_.time_ns / ns : std::pow(error / wishes_.error, 1 / order), 1e-3, 1e3);
   candidate.foreseen =
@@ -128,7 +128,7 @@ Trial Search::heat(Candidate& candidate) {
 }
 
 bool Search::heats(std::vector<Candidate>& candidates) {
-  // In two rounds: the first of each kind, then the others of kinds that are near.
+  // There are two rounds: the first of each kind, then the others of kinds that are near.
   std::map<Kind, std::vector<Candidate*>> kinds;
   for (Candidate& candidate : candidates) kinds[kind_of(candidate)].push_back(&candidate);
   cap_seconds_ = 0.02 * seconds_;

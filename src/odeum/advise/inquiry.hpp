@@ -14,9 +14,9 @@
 /// The parts of why(): each measures, and adds what it found.
 namespace odeum::advise {
 
-/// Of the solution's size: no answer, whatever it cost.
+/// A run whose end is off by more than this share of the solution's size is not an answer.
 inline constexpr double far_off = 0.02;
-/// For a fixed step, where no tolerance was asked for.
+/// The tolerance at a fixed step, where none was asked for.
 inline constexpr double usual_tolerance = 1e-6;
 
 /// The state at the end of the run.
@@ -53,7 +53,7 @@ struct Inquiry {
   std::vector<Run> others;  ///< in the order of why.others
   std::optional<Known> known;
   std::optional<Run> trusted;  ///< one that ends there
-  /// Without any such: two of different families, to a hundredth of the tolerance.
+  /// Two runs of different families to a hundredth of the tolerance, where none is trusted.
   std::optional<std::pair<Run, Run>> disagree;
   /// The largest factor by which the problem itself makes an error grow up to the end, of the sizes
   /// of the components; 0: it was not measured.
@@ -72,7 +72,7 @@ struct Inquiry {
   bool trust_jacobian = true;
   Region region;
 
-  /// Of a component that may not be known.
+  /// The name of a component; one that is not known is called the state.
   std::string name_of(const std::optional<std::size_t>& component) const {
     return component ? names[*component] : "the state";
   }
@@ -91,13 +91,13 @@ struct Inquiry {
   void find_sizes(const Run& from);
   void add(Cause cause, double share, double from, std::string text);
   bool found(Cause cause) const;
-  /// Of two states over the sizes of the components, the largest.
+  /// Largest difference of a component between two states, relative to the component's size.
   double distance(const double* one, const double* other) const;
   double apart(const Run& one, const Run& other) const;
-  /// Of a run's end from what is known of the solution; infinite where the run did not get there,
-  /// NaN where nothing is known or it ends elsewhere.
+  /// Distance of a run's end from what is known of the solution; infinite where the run did not get
+  /// there, NaN where nothing is known or it ends elsewhere.
   double difference(const Run& of) const;
-  /// From the case's truth; NaN where that is not known.
+  /// The error against the case's truth; NaN where that is not known.
   double error_at_end(const Request& request, const Outcome& outcome) const;
 };
 
@@ -116,7 +116,7 @@ double wanted(const Inquiry& q);
 void try_others(Inquiry& q);
 /// What the causes themselves suggest: the same solver with another setting, or a shorter run.
 void try_settings(Inquiry& q);
-/// Of the others the best that does better.
+/// Chooses the best of the others that do better.
 void choose(Inquiry& q);
 /// The run to a tolerance that came farthest, this one or another.
 const Run& farthest(const Inquiry& q);

@@ -12,7 +12,7 @@
 namespace odeum::advise {
 namespace {
 
-/// Of the evaluations: less is not worth a word.
+/// A smaller share of the evaluations is not worth a word.
 constexpr double least_part = 0.04;
 
 /// f along the path from one state to another, by the part of the time between them.
@@ -41,8 +41,8 @@ class Between {
   std::vector<double> f_from_, f_to_;
 };
 
-/// Of the second differences of one component: the largest, and by how much it stands out of those
-/// that are not beside it.
+/// The largest second difference of one component, and its ratio to the largest of those that are
+/// not beside it.
 struct Bend {
   double size = 0, stands_out = 0;
   std::size_t at = 1;
@@ -238,7 +238,7 @@ void look_for_kinks(Inquiry& q) {
     if (const auto kink = kink_between(q.c, run.moments.back(), ahead)) q.kinks.push_back(*kink);
   }
   std::ranges::sort(q.kinks, {}, &Kink::t);
-  // Those that no error test sees, as the last digit of a function, are none.
+  // Kinks that no error test sees, such as the last digit of a function, are left out.
   const Tolerance& tolerance = run.request.tolerance;
   std::erase_if(q.kinks, [&](const Kink& kink) {
     const std::size_t i = kink.component;

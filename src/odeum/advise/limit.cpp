@@ -126,8 +126,8 @@ std::vector<State> changed_starts(const Case& c) {
   return starts;
 }
 
-/// By stop the largest difference of a measured component over that at the start, both over their
-/// scales.
+/// The largest difference of a measured component at each stop over that at the start, both in
+/// units of its scale.
 void take_growth(const Case& c, const State& start, const State& from, const State& moved,
                  State& growth) {
   const std::size_t n = c.y0.size();

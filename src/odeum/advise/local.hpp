@@ -46,7 +46,7 @@ struct Spectrum {
   std::optional<std::size_t> component;  ///< the largest of its eigenvector, by the sizes given
   std::vector<std::complex<double>> all;
 };
-/// Of the problem's own Jacobian, or by differences; empty `all`: it is not finite.
+/// Spectrum of the problem's own Jacobian, or of one by differences; empty `all`: it is not finite.
 Spectrum spectrum_at(const Case& c, double t, const std::vector<double>& y,
                      const std::vector<double>& sizes, bool trust_jacobian);
 
@@ -71,7 +71,7 @@ struct Kink {
 /// interval around it does.
 std::optional<Kink> kink_between(const Case& c, const Moment& from, const Moment& to);
 
-/// By component, the error of a single step of the solver from there over what the tolerance
+/// For each component, the error of a single step of the solver from there over what the tolerance
 /// allows, against the same step in parts; empty where the solver can't take it.
 std::vector<double> step_error(const Case& c, const std::string& solver, const Moment& at,
                                const Tolerance& tolerance, Mode mode);

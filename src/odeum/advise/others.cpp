@@ -14,9 +14,9 @@
 namespace odeum::advise {
 namespace {
 
-/// Those that a run is compared with: of each family that runs to a tolerance, explicit and
-/// implicit, of low and of high order. Which of them does better is measured, and those of another
-/// family come first, since two that agree have to be of two.
+/// Solvers that a run is compared with, from each family that runs to a tolerance, explicit and
+/// implicit, of low and of high order. Which of them does better is measured; those of another
+/// family come first, since two that agree have to be of two families.
 constexpr std::array comparisons = {"cvode/bdf",
                                     "odeum/dormand_prince853",
                                     "odeum/radau_iia5",
@@ -69,8 +69,7 @@ std::string family_of(const Inquiry& q, const std::string& solver) {
   return q.c.entrants.find(solver)->info.family;
 }
 
-/// Of the rows those that came to the end, the nearest first where the end is known, else the
-/// cheapest.
+/// The rows that came to the end, the nearest first where the end is known, else the cheapest.
 std::vector<std::size_t> in_order(const Inquiry& q) {
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < q.others.size(); ++k)
@@ -83,7 +82,7 @@ std::vector<std::size_t> in_order(const Inquiry& q) {
   return rows;
 }
 
-/// Of the truth, at the end of the run; nothing where it is not known there.
+/// The truth at the end of the run; nothing where it is not known there.
 std::optional<Known> by_truth(const Inquiry& q) {
   Known known{std::vector<double>(q.c.y0.size()), 0, "the truth"};
   const double end = q.run.request.stops.back();
@@ -151,7 +150,7 @@ void agree(Inquiry& q) {
     if (run.ok()) q.keep(run);
     if (take(std::move(run))) return;
   }
-  // Where the tighter ones could not be paid for.
+  // Two tight runs that do not agree say so; where fewer could be paid for, the others are taken.
   if (tight.size() >= 2) {
     q.disagree = std::pair(std::move(tight[0]), std::move(tight[1]));
     return;

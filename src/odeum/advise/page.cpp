@@ -20,7 +20,7 @@ struct RaceRow : study::WallTimes {
                 counters.jacobian_evaluations, counters.steps, counters.rejected_steps)
 };
 
-/// Those of what was timed first, the fastest at the head.
+/// The rows of the race: what was timed comes first, the fastest at the head.
 std::vector<RaceRow> rows_of(const Advice& advice, const Case& c) {
   std::vector<RaceRow> rows;
   const auto add = [&](const Candidate& candidate, bool timed) {

@@ -31,8 +31,8 @@ struct Change {
   std::size_t condition = 0;
   double before = 0, after = 0;
 };
-/// Those between the times given, which ascend, in the order of time: of each condition one at most
-/// between two of them.
+/// The changes between the times given, which ascend, in the order of time: each condition has at
+/// most one between two of them.
 std::vector<Change> changes_along(const Path& path, const cases::Conditions& conditions,
                                   const std::vector<double>& times);
 

@@ -73,8 +73,8 @@ void enter(const std::vector<const Case*>& cases, const Wishes& wishes, Advice& 
     throw std::invalid_argument("no solver fits: " + advice.not_tried.begin()->first);
 }
 
-/// Those that may be the fastest, or where a time is given have the least error, and of each other
-/// library and family the best.
+/// The candidates that may be the fastest, or where a time is given have the least error, and the
+/// best of each other library and family.
 std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates, bool within,
                                    double floor = 0) {
   std::vector<std::size_t> by_cost;
@@ -178,7 +178,7 @@ void race_within(Advice& advice, Search& search, const Wishes& wishes) {
   });
   std::ranges::stable_sort(advice.timed, {},
                            [&](std::size_t k) { return advice.candidates[k].found->error; });
-  // Of those of the least error the fastest comes first.
+  // The fastest among those of the least error comes first.
   const auto counts = [&](std::size_t k) { return !advice.candidates[k].closed_form(); };
   const auto least = std::ranges::find_if(advice.timed, counts);
   if (least == advice.timed.end()) return;

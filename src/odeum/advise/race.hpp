@@ -21,12 +21,15 @@ struct Wishes {
   /// One of the two: the largest error at the case's stops, in the units of its errors, or the time
   /// of a run, in nanoseconds of processor time.
   double error = 0, time_ns = 0;
-  /// Of the energy at the stops, relative to the largest one: with an error; 0: none is asked for.
+  /// Largest error of the energy at the stops, relative to the largest energy, beside an error; 0:
+  /// none is asked for.
   double energy = 0;
-  /// With that: the time up to which the energy keeps to it, which the problem conserves.
+  /// Beside `energy`, which the problem conserves: the time up to which it keeps to that, in the
+  /// case's unit.
   double horizon = 0;
-  /// Length of a frame: fixed steps divide it, and `time_ns` is the time allowed for one frame.
-  /// With an error, the cases' stops are the ends of the frames. 0: no frames.
+  /// Length of a frame in the case's unit of time: fixed steps divide it, and `time_ns` is the time
+  /// allowed for one frame. With an error, the cases' stops are the ends of the frames. 0: no
+  /// frames.
   double frame = 0;
   double seconds = 0;  ///< for the answer; 0: 20, and where a run takes over 2 ms
                        ///< that of 30 of the best runs foreseen, up to 600
@@ -62,10 +65,10 @@ struct Trial {
   double error = nan;
   double ns = 0;  ///< processor time under the guard, less what the guard takes; mean of the cases
 
-  /// Of the first case.
+  /// The counters of the run on the first case.
   const Counters& counters() const { return parts.front().counters; }
 
-  /// That of the states alone.
+  /// The largest error of the states alone.
   double state_error() const;
   double energy_error() const;
   /// The case of the largest error.
@@ -92,7 +95,7 @@ struct Candidate {
   Dropped dropped = {};
   study::Times times = {};  ///< of `found`, with the bare right-hand side
 
-  /// By how much the error falls where the fineness grows tenfold, in powers of ten.
+  /// Powers of ten by which the error falls where the fineness grows tenfold.
   double slope() const;
   /// Claimed order, at least 1; 4 where a step control has none, 2 at fixed steps.
   double order() const;

@@ -9,7 +9,7 @@
 namespace odeum::advise {
 namespace {
 
-// A single short run may take three times its least time, and some of that whatever it does.
+// A short run that is timed once may take three times its least time, and 30 us more.
 constexpr double slow_factor = 3, slow_ns = 3e4;
 constexpr double finest_tolerance = 1e-14, loosest_tolerance = 1e-1, most_steps = 1e8;
 

@@ -33,7 +33,7 @@ class Search {
   /// those at all stops, inside of its steps. Where it misses the error, a finer setting that keeps
   /// it at less than twice the work.
   Trial as_command(const Candidate& candidate) const;
-  /// Likewise at a setting.
+  /// The same at a setting.
   Trial command_run(const Candidate& candidate, double fineness) const;
   /// A tenth of the tolerance's fineness, or half as many steps, where those end on the stops.
   double coarser_than(const Candidate& candidate, double fineness) const;
@@ -54,7 +54,8 @@ class Search {
   bool heats(std::vector<Candidate>& candidates);
   Trial heat(Candidate& candidate);
   void foresee(Candidate& candidate, const Trial& trial) const;
-  /// Of dear runs, in the order foreseen; of each library the best one at least.
+  /// Visits the candidates of dear runs in the order foreseen; of each library the best one at
+  /// least.
   void each_worth(std::vector<Candidate>& candidates, const std::function<void(Candidate&)>& visit);
   void search_cheap(std::vector<Candidate>& candidates);
   void try_longer(std::vector<Candidate>& candidates);
@@ -62,7 +63,7 @@ class Search {
   void settle_within(Candidate& candidate) const;
   /// A run with the time that it takes without the guard.
   void take_within(Candidate& candidate, double fineness);
-  /// At the time, by its last run and its order; NaN where that failed.
+  /// The error at the time, by its last run and its order; NaN where that failed.
   double foreseen_error(const Candidate& candidate) const;
   double next_within(const Candidate& candidate, double share) const;
   /// A run, after which one that is too slow is dropped.

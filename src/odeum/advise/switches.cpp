@@ -10,8 +10,8 @@
 namespace odeum::advise {
 namespace {
 
-/// By what f does around a change; nothing where it is smooth there, the alternatives being none of
-/// this state.
+/// How f bends around a change; nothing where it is smooth there, since the alternatives do not
+/// differ in this state.
 std::optional<Kink> kink_at(const Path& path, double t, double wide,
                             const std::vector<double>& sizes) {
   const auto bend = [&](double by) {
@@ -28,7 +28,8 @@ std::optional<Kink> kink_at(const Path& path, double t, double wide,
   const std::vector<double> near = bend(wide / ratio).first;
   if (!is_finite(far.data(), far.size()) || !is_finite(near.data(), near.size())) return {};
   constexpr double rounding = 1e6 * epsilon;
-  // Of those that bend beyond rounding the one that it moves most, by its size.
+  // Among the components that bend beyond rounding, takes the one whose rate bends most, relative
+  // to its size.
   std::optional<std::size_t> most;
   double largest = 0;
   for (std::size_t i = 0; i < near.size(); ++i) {

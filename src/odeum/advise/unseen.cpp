@@ -12,13 +12,13 @@
 namespace odeum::advise {
 namespace {
 
-/// From one change of the equations to the next.
+/// The time from one change of the equations to the next.
 struct Interval {
   double from, to;
   std::size_t component;
 };
 
-/// Those within which a run has no evaluation; `times` ascend.
+/// The intervals within which a run has no evaluation; `times` ascend.
 std::vector<Interval> without_evaluations(const std::vector<Kink>& kinks,
                                           const std::vector<double>& times) {
   std::vector<Interval> found;
@@ -55,7 +55,7 @@ class Step {
       seen_.push_back(*at);
   }
 
-  /// From the straight line between the slopes at the ends.
+  /// The deviation from the straight line between the slopes at the ends.
   double deviation(std::size_t i, double t, double value) const {
     const double part = (t - from_) / (to_ - from_);
     return value - (slopes_.front()[i] + part * (slopes_.back()[i] - slopes_.front()[i]));
@@ -72,7 +72,7 @@ class Step {
       most = std::max(most, std::abs(deviation(i, t, path_.slope(t)[i])));
     return most;
   }
-  /// Where the deviation is more than half of its largest.
+  /// The interval in which the deviation is more than half of its largest.
   Interval pulse(std::size_t i) const {
     const double half = 0.5 * largest(i);
     Interval found{to_, from_, i};
@@ -118,7 +118,7 @@ void add_pulse(Inquiry& q, const Interval& unseen) {
                     unseen.from, unseen.to, q.names[unseen.component]));
 }
 
-/// Of a component of f at the ends of some steps before and after one.
+/// The range of component i of f at the ends of some steps before and after step k.
 double range_around(const std::vector<std::vector<double>>& slopes, std::size_t k, std::size_t i) {
   constexpr std::size_t wide = 2;
   double low = infinity, high = -infinity;

@@ -23,7 +23,7 @@ const char* name_of(Cause cause) {
 
 namespace {
 
-/// Of the processor, by this program and what solves in processes of its own.
+/// Processor seconds of this program and of solves in processes of their own.
 double used_seconds() {
   timespec used{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
@@ -57,7 +57,8 @@ Run Inquiry::make(const Case& on, const std::string& solver, Request request, st
   // The run itself comes first.
   const std::uint64_t most = why.outcome.counters.work == 0 ? 20'000'000 : 5'000'000;
   request.budget.evaluations = std::min(request.budget.evaluations, most);
-  // Of the clock, which other programs stretch; to a tenth, since a message has it.
+  // The bound is in seconds of the clock, which other programs stretch; to a tenth, since a message
+  // has it.
   const double used = used_seconds() - processor_start, wall = seconds_since(start),
                crowding = used > 0.1 ? std::clamp(wall / used, 1.0, 3.0) : 1;
   request.budget.seconds = std::min(request.budget.seconds,
@@ -76,7 +77,7 @@ bool Inquiry::found(Cause cause) const {
 
 namespace {
 
-/// Of an adaptive run.
+/// Looks at what bounds the steps of an adaptive run.
 void look_at_steps(Inquiry& q) {
   Request looser = q.run.request;
   q.looser_by = looser.tolerance.relative > 1e-3 ? 0.01 : 100;
@@ -172,7 +173,7 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   if (q.adaptive()) {
     look_at_steps(q);
   } else if (q.known || q.run.ok()) {
-    // Those of a run that is far off are not those of the solution.
+    // Samples of a run that is far off are not samples of the solution.
     if (q.trusted && !(q.difference(q.run) <= far_off)) sample(q, *q.trusted, step);
     compare_samples(q);
     look_at_fixed_step(q);

@@ -63,7 +63,7 @@ struct Other {
   Counters counters = {};
   double reached = nan;
   double error = nan;  ///< where the truth is known
-  /// From what is known of the solution at its end, over the sizes of the components, the largest.
+  /// Largest difference of a component from what is known at its end, over the component's size.
   double difference = nan;
 };
 

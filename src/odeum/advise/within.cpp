@@ -11,7 +11,8 @@
 namespace odeum::advise {
 namespace {
 
-/// Of the time: what a run has to take for the search to end.
+/// Shares of the time allowed: a search ends with a run above the first, an adjustment with one
+/// above the third; the next run aims at the second.
 constexpr double near_enough = 0.75, aimed_at = 0.97, near_the_end = 0.94;
 /// A candidate is left where its error at the time is foreseen to be this far from the best.
 constexpr double hopeless = 3000;
@@ -20,7 +21,7 @@ bool good(const Trial& trial, double ns) {
   return trial.status == Status::ok && trial.ns <= ns && std::isfinite(trial.error);
 }
 
-/// Of those that keep to the time the one of least error.
+/// The trial of least error that keeps to the time.
 const Trial* best_of(const Candidate& candidate, double ns) {
   const Trial* best = nullptr;
   for (const Trial& trial : candidate.trials)

@@ -44,18 +44,19 @@ constexpr Inside inside_of() {
   return M::info.one_step ? Inside::restep : Inside::none;
 }
 
-/// In place of trial steps at fixed steps.
+/// Stands for trial steps at fixed steps.
 struct NoTrial {};
 
 namespace detail {
-/// In place of a method whose steps are not needed.
+/// Stands for a method whose steps are not needed.
 struct NoMethod {
   template <class Problem>
   using Stepper = NoMethod;
 };
 }  // namespace detail
 
-/// The last step of a run, from t0 and y0 to t1 and y1, as observers see it.
+/// The last step of a run, from t0 and y0 to t1 and y1, as observers see it; for the thread of the
+/// run. States have the problem's size.
 template <class M, Ode P, class Trial>
 class LastStep {
  public:
@@ -89,10 +90,11 @@ class LastStep {
     cut_ = true;
     return status;
   }
-  /// For the parts of a run: room for a state.
+  /// Room for a state, for the parts of a run.
   S& inner() { return inner_; }
 
-  /// Fills y with the state at a time in [t0, t1].
+  /// Fills y with the state at a time in [t0, t1]; the status of the step that finds it, after a
+  /// failure of which y is not to be used.
   Status at(double t, S& y) {
     static_assert(inside != Inside::none,
                   "between the fixed steps of an implicit multistep method, or one above order 4, "

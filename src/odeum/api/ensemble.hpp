@@ -121,8 +121,10 @@ void require_fit_of_all(const std::vector<P<double>>& members,
 
 }  // namespace detail
 
-/// Integrates each member from t0 to t1 in equal steps, on `jobs` threads. Throws
-/// std::invalid_argument for a malformed request; a numerical failure is the status of a member.
+/// Integrates each member from t0 to t1 in equal steps, on `jobs` threads, which call the functions
+/// of the problem at once. `states`: one a member, at t0, then at the time of its RunEnd; returns
+/// one RunEnd a member, in their order. Throws std::invalid_argument for a malformed request; a
+/// numerical failure is the status of a member.
 template <template <class> class P, class M>
 std::vector<RunEnd> integrate_ensemble(const std::vector<P<double>>& members, M method,
                                        std::vector<State<P<double>>>& states, double t0, double t1,

@@ -31,7 +31,8 @@
 /// asked for.
 namespace odeum {
 
-/// Equal steps. h is reduced to the next length of which a whole number ends at t1.
+/// Equal steps. h > 0, in the problem's unit of time, is reduced to the next length of which a
+/// whole number ends at t1.
 struct Step {
   double h;
 };
@@ -128,8 +129,10 @@ void require_fit(const P& problem, const State<P>& y, double t0, double t1) {
 
 }  // namespace detail
 
-/// Integrates y from t0 to t1 in equal steps by method M. Throws std::invalid_argument for a
-/// malformed request; a numerical failure is a status.
+/// Integrates y from t0 to t1 > t0 in equal steps by method M. `y` has the problem's size: the
+/// state at t0, then that at RunEnd::t. Throws std::invalid_argument for a malformed request; a
+/// numerical failure is a status. All functions are called on this thread, and what they throw
+/// passes through. Several threads may run at once where the problem's functions allow it.
 template <class M, Ode P, class... Parts>
 RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, Step step,
                  Parts... parts) {
@@ -165,7 +168,8 @@ RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, Step st
   return end;
 }
 
-/// The same to a tolerance, in steps that the method chooses.
+/// The same to a tolerance, in steps that the method chooses. An absolute tolerance is in the units
+/// of the components.
 template <class M, Ode P, class... Parts>
 RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, const Tolerance& tolerance,
                  Parts... parts) {

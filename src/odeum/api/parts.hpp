@@ -16,7 +16,8 @@
 ///     at_times(times, f)           f(t, y) at each of the ascending times within the run
 ///     until_event(g, direction)    ends the run at the first sign change of g(t, y)
 ///
-/// Times are double; y is the state, valid during the call.
+/// Times are double, in the problem's unit; y is the state, of the problem's size and valid during
+/// the call. All are called on the thread of the run, and what they throw ends it without a RunEnd.
 namespace odeum {
 
 template <class F>

@@ -37,7 +37,8 @@ inline std::unique_ptr<ShiftedSolver> counted(std::unique_ptr<ShiftedSolver> sol
 }
 
 /// What a method sees of the problem of a plain run, which has to outlive it: the same, counted,
-/// and by differences what implicit methods need and the problem lacks, without an allocation.
+/// and by differences what implicit methods need and the problem lacks, without an allocation. It
+/// has room for states of its own: one for each thread.
 template <Ode P>
 class Plain : public Guarded<P, EvaluationCount> {
   using Base = Guarded<P, EvaluationCount>;

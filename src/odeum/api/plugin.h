@@ -9,7 +9,7 @@
  * numbers, matrices are row-major unless it is said otherwise. Callbacks that return int return 0
  * on success. A solver's step() or solve() that returns another number ends its run as `refused`,
  * with that number in its detail. Every solve is made in a process of its own: what is changed there
- * is not seen by another solve.
+ * is not seen by another solve, and no two threads of a process call back at once.
  */
 #ifndef ODEUM_PLUGIN_H
 #define ODEUM_PLUGIN_H

@@ -39,7 +39,7 @@ Entrants enroll_isolated(const ErasedContest& contest) {
 bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& words) {
   const foreign::ProblemCallbacks& given = held->given;
   c.truth.at = [held](double t, double* y) { return held->problem.exact(t, y); };
-  // To the rounding of what the foreign code computes it with.
+  // The foreign code's solution is known to its rounding.
   for (const double y : c.y0) c.truth.floor = std::max(c.truth.floor, 1e-15 * std::abs(y));
   if (given.functions.exact) {
     c.truth.source = given.provider + "'s exact solution";

@@ -24,7 +24,7 @@ Case with_tabled_parameters(std::vector<Parameter> parameters,
 void require_positive(const std::string& name, double value);
 void require_not_negative(const std::string& name, double value);
 
-/// For parameters for which there is neither a closed form nor a table.
+/// The truth of parameters for which there is neither a closed form nor a table.
 Truth unknown_truth(std::string why = "none known for these parameters");
 
 }  // namespace odeum::cases

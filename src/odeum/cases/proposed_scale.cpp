@@ -10,7 +10,7 @@
 namespace odeum::cases {
 namespace {
 
-/// To one digit, as it is written.
+/// The size to one digit, as it is written.
 double rounded(double size) { return std::stod(fmt::format("{:.0e}", size)); }
 
 bool is_near_one(double size) { return size >= 0.01 && size <= 100; }
@@ -42,17 +42,19 @@ ErrorUnits proposed_units(const truth::Along& along) {
   return units;
 }
 
-void take_units(Case& c, const ErrorUnits& units) {
+void take_units(Case& c, const ErrorUnits& units, bool of_tolerances) {
   if (units.scale.empty()) return;
   std::vector<double> thresholds = units.scale;
   for (std::size_t i = 0; i < thresholds.size(); ++i)
     if (units.is_relative(i)) thresholds[i] = units.relative_from[i];
-  c.tolerance = Tolerance::of_thresholds(c.tolerance.relative, std::move(thresholds));
+  if (of_tolerances)
+    c.tolerance = Tolerance::of_thresholds(c.tolerance.relative, std::move(thresholds));
   c.units = units;
 }
 
 std::pair<std::string, std::string> units_fact(const ErrorUnits& units,
-                                               const std::vector<std::string>& states) {
+                                               const std::vector<std::string>& states,
+                                               bool of_tolerances) {
   std::vector<std::string> scales, falling;
   for (std::size_t i = 0; i < units.scale.size(); ++i)
     if (units.is_relative(i))
@@ -62,13 +64,14 @@ std::pair<std::string, std::string> units_fact(const ErrorUnits& units,
   std::string text = listed(scales);
   if (!scales.empty())
     text +=
-        ": the units of errors and, times the relative one, of absolute tolerances, by the largest "
-        "value along the solution";
+        fmt::format(": the units of errors{}, by the largest value along the solution",
+                    of_tolerances ? " and, times the relative one, of absolute tolerances" : "");
   if (!falling.empty())
     text += fmt::format(
         "{}{} rise{} tenfold from less than a thousandth of the largest value: there errors are "
-        "relative to the exact value, and tolerances to the value",
-        scales.empty() ? "" : "; ", listed(falling), falling.size() == 1 ? "s" : "");
+        "relative to the exact value{}",
+        scales.empty() ? "" : "; ", listed(falling), falling.size() == 1 ? "s" : "",
+        of_tolerances ? ", and tolerances to the value" : "");
   return {"scale", text + "; `scale:` in the file gives others"};
 }
 

@@ -16,12 +16,14 @@ namespace odeum::cases {
 /// others, has the size of the largest.
 ErrorUnits proposed_units(const truth::Along& along);
 
-/// Makes them those of the case, and of its absolute tolerances: one of 1e-6 controls nothing of a
-/// concentration of 1e-7.
-void take_units(Case& c, const ErrorUnits& units);
+/// Makes them those of the case, and where its author asks for no others of its absolute
+/// tolerances: one of 1e-6 controls nothing of a concentration of 1e-7.
+void take_units(Case& c, const ErrorUnits& units, bool of_tolerances);
 
-/// What people read of them; `states`: the names of the components.
+/// What people read of them; `states`: the names of the components; `of_tolerances`: whether they
+/// are those of absolute tolerances, too.
 std::pair<std::string, std::string> units_fact(const ErrorUnits& units,
-                                               const std::vector<std::string>& states);
+                                               const std::vector<std::string>& states,
+                                               bool of_tolerances);
 
 }  // namespace odeum::cases

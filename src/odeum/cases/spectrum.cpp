@@ -116,7 +116,7 @@ Eigenvalues settled(const Vector& matrix, std::size_t size) {
   return found;
 }
 
-/// In the upper half plane; empty where the Jacobian is not finite.
+/// The eigenvalues in the upper half plane; empty where the Jacobian is not finite.
 Eigenvalues eigenvalues_at(const Case& c, const Moment& at) {
   constexpr std::size_t products = 96;
   std::size_t n = c.y0.size();
@@ -151,7 +151,7 @@ Spectrum spectrum_of(const Case& c) {
   Moment last{c.stops.back(), Vector(c.y0.size())};
   if (!c.truth.at(last.t, last.y.data())) return start;
   Spectrum end{eigenvalues_at(c, last), last.t};
-  // Where they agree to rounding, the start.
+  // The start stands for both where they agree to rounding.
   return largest(end.eigenvalues) > 1.001 * largest(start.eigenvalues) ? end : start;
 }
 

@@ -64,7 +64,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
   void set_facts(Case& c) const {
     c.facts = text_facts(problem_, *analysis_, file_.printed ? nullptr : ode_.get(), truth_, c);
     if (problem_.scale.empty() && !c.units.scale.empty())
-      c.facts.push_back(units_fact(c.units, problem_.states));
+      c.facts.push_back(units_fact(c.units, problem_.states, problem_.tolerance.relative == 0));
   }
 
   void add_parameters() {
@@ -181,12 +181,12 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
       }
       return;
     }
+    waits_for_truth_ = problem_.exact.empty() && files.empty();
+    if (waits_for_truth_ || (files.empty() && !file_.folder.empty())) look_along();
     if (problem_.exact.empty()) {
-      waits_for_truth_ = files.empty();
       case_.truth = waits_for_truth_ ? unknown_truth("not computed") : unknown_truth();
-      if (waits_for_truth_) look_along();
     } else {
-      truth_ = closed_form(problem_);
+      truth_ = closed_form(problem_, case_.units);
       take_truth(case_);
     }
   }
@@ -224,8 +224,8 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
   void look_along() {
     require_code();
     along_ = along_of(ode_);
-    const bool stated = problem_.tolerance.relative > 0 || has("thresholds");
-    if (along_ && problem_.scale.empty() && !stated) take_units(case_, proposed_units(*along_));
+    if (along_ && problem_.scale.empty() && !has("thresholds"))
+      take_units(case_, proposed_units(*along_), problem_.tolerance.relative == 0);
   }
 
   void compute_truth(Case& c) {

@@ -13,7 +13,7 @@ namespace odeum::cases {
 /// The problem of a family for members in lanes; for one thread.
 struct FamilyInLanes {
   LaneFamily problem;  ///< without the code where there is no compiler
-  /// As Family::place; false where there is no code.
+  /// Does what Family::place does; false where there is no code.
   std::function<bool(const std::vector<double>& values)> place;
 };
 
@@ -29,7 +29,7 @@ struct TextFamilies {
   /// None where no compiler is, and where values move the start, the end or the number of states,
   /// or masses.
   std::optional<Family> operator()(const std::vector<std::vector<double>>& samples) const;
-  /// Where there is a family.
+  /// The family in lanes; only where there is a family.
   FamilyInLanes in_lanes() const;
   /// Empty where the file has no closed form.
   MemberTruth exact() const;

@@ -25,10 +25,6 @@ namespace {
 using formula::TextOde;
 using truth::Real;
 
-Real scale_of(const formula::Problem& problem, std::size_t i) {
-  return problem.scale.empty() ? 1 : problem.scale[i];
-}
-
 /// What the solution depends on, as text.
 std::string content_of(const formula::Problem& problem, const formula::Analysis& analysis) {
   std::string content = formula::print_c(problem, analysis);
@@ -47,7 +43,7 @@ std::size_t place_of(const truth::Reference& reference, double t) {
 
 }  // namespace
 
-TextTruth closed_form(const formula::Problem& problem) {
+TextTruth closed_form(const formula::Problem& problem, const ErrorUnits& units) {
   const auto in_double =
       std::make_shared<const formula::Evaluator<double>>(problem.graph, problem.exact);
   const auto extended =
@@ -73,7 +69,7 @@ TextTruth closed_form(const formula::Problem& problem) {
     (*in_double)(rounded, nullptr, low.data());
     (*extended)(rounded, nullptr, high.data());
     for (std::size_t i = 0; i < low.size(); ++i) {
-      const Real unit = scale_of(problem, i);
+      const Real unit = units.of(i, static_cast<double>(high[i]));
       largest = std::max(largest, std::abs(high[i]) / unit);
       if (std::isfinite(low[i])) amplified = std::max(amplified, std::abs(low[i] - high[i]) / unit);
     }

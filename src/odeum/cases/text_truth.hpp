@@ -30,7 +30,7 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
 void cut_stops(Case& c, std::vector<double> known);
 
 /// The truth of a problem with a closed form; `extended` too.
-TextTruth closed_form(const formula::Problem& problem);
+TextTruth closed_form(const formula::Problem& problem, const ErrorUnits& units = {});
 /// What its components are along its solution, see truth::look_along; kept in the cache folder.
 /// Null where that is not known.
 std::shared_ptr<const truth::Along> along_of(const std::shared_ptr<const formula::TextOde>& ode);

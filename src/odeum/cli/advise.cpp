@@ -142,7 +142,7 @@ int advise_on(Session& session, AdviseOptions& options, const CLI::App& command)
   std::optional<record::OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
   options.wishes.start = std::chrono::steady_clock::now();
-  // In seconds; a truth that is found within them is kept.
+  // The deadline is in seconds; a truth that is found within them is kept.
   constexpr double usual = 40, share = 0.4;
   const truth::Deadline deadline(
       options.wishes.start +

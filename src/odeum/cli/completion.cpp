@@ -112,7 +112,7 @@ std::string bash(const std::vector<Command>& commands) {
          "complete -o filenames -F _odeum odeum\n";
 }
 
-/// In single quotes of zsh and fish.
+/// The text in single quotes of zsh and fish.
 std::string quoted(std::string text) {
   for (const auto& [from, to] : {std::pair("\\", "\\\\"), std::pair("'", "'\\''")})
     text = CLI::detail::find_and_replace(text, from, to);
@@ -173,7 +173,7 @@ std::string fish(const std::vector<Command>& commands) {
   return text;
 }
 
-/// As text of a manual page: no character of roff's own.
+/// Text of a manual page, without a character of roff's own.
 std::string roff(std::string text) {
   for (const auto& [from, to] : {std::pair("\\", "\\e"), std::pair("-", "\\-")})
     text = CLI::detail::find_and_replace(text, from, to);

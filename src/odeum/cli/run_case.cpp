@@ -44,7 +44,7 @@ bool stop_at_last_truth(Request& request, const Case& c) {
   return false;
 }
 
-// Where the study measures the error; empty: no study is named.
+// The stops at which the study measures the error; empty: no study is named.
 std::vector<double> stops_of(const Case& c, const std::string& study) {
   if (study.empty()) return {};
   return study == "speed" ? c.timed_stops() : study::convergence_stops(c);

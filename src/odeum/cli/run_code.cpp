@@ -58,7 +58,7 @@ const char* shared_type(const Case& c, const SolverInfo& info) {
   return c.problem.view.velocity_dependent ? "SharedSecondOrder" : "SharedSeparable";
 }
 
-/// Which program makes the run; throws UsageError where none does.
+/// The program that makes the run. Throws UsageError where none does.
 std::string program_for(const SolverInfo& info, bool stated, const Request& request) {
   if (info.library == "odeum" && !info.needs.starts_with("residuals"))
     return stated ? "odeum" : "laboratory";

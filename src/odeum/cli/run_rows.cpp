@@ -17,7 +17,7 @@
 namespace odeum::cli {
 namespace {
 
-/// As studies have it: the largest error, and the root mean square over all stops.
+/// The largest error, and the root mean square over all stops, as studies have them.
 judge::StopError largest_of(const std::vector<judge::StopError>& errors) {
   judge::StopError all = errors.back();
   double mean_square = 0;

@@ -20,8 +20,8 @@ struct RunRow {
   std::string detail;
   Counters counters;
   double reached = nan;  ///< the last time whose state was recorded
-  /// At `error_time`, the last output at which the truth is known; nan: at none. Of a run whose
-  /// steps end on several stops the largest at them.
+  /// The error at `error_time`, the last output at which the truth is known (nan: at none); the
+  /// largest at the stops of a run whose steps end on several.
   /// `error_max` times `error_unit` is the error of `error_component` in its own unit.
   double error_time = nan;
   std::string error_component;
@@ -64,8 +64,8 @@ RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs,
 /// `82 evaluations, 3 Jacobians, 214 products in linear solvers`.
 std::string cost_text(const Counters& counters);
 
-/// What a run that waits for the truth has shown so far: how it ended, and its end state where it
-/// has few numbers. `seconds`: of the processor.
+/// The text of a run whose error waits for the truth: how it ended, and its end state where it has
+/// few numbers. `seconds`: of the processor.
 std::string first_text(const trajectories::CaseRun& run, std::size_t numbers, double seconds);
 
 /// Lines: the error, whether the tolerance explains it, and what else the run shows.

@@ -189,7 +189,7 @@ void write_run(const record::OutputFolder& folder, const SceneRun& run, const Sc
         trajectories::write_film(folder, scene, run.outcome, frames, run.folder));
 }
 
-/// As asked for; pictures are equally far apart in time.
+/// Sets the interval that was asked for; pictures are equally far apart in time.
 void set_frame_interval(Scene& scene, const RunOptions& options, const RunSettings& settings) {
   if (options.settings.every) scene.frame_interval = options.settings.every;
   if (options.frames == 0) return;

@@ -28,7 +28,7 @@ std::vector<std::string> solver_ids() {
   return ids;
 }
 
-// For the name of a library that is not in this build: the option that builds it.
+// Names the option that builds a library that is not in this build.
 std::string missing_library(const std::string& word) {
   for (const LibraryInfo& info : all_libraries())
     for (const std::string& name : info.libraries)

@@ -30,7 +30,7 @@ std::vector<trajectories::CaseRun> shown_runs(const Case& c, const advise::Why& 
   const auto show = [&](const Entrant& entrant, Request request, const Counters& counters) {
     ask_for_output(request, {}, c.t0, c.y0.size());
     request.record_steps = counters.steps < most_steps_shown;
-    // As far as it was looked at, and for a step aside at each output.
+    // The budget covers what was looked at, and a step aside at each output.
     request.budget.evaluations = 2 * counters.work + 100'000;
     trajectories::CaseRun run{&entrant, request, {}};
     run.outcome = run.entrant->solve(request);

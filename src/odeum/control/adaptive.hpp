@@ -48,7 +48,7 @@ template <class S>
 struct StepMade {
   double t, h;
   const S &before, &after;
-  /// Where a time lies in it, 0 to 1.
+  /// The share of the step at a time, 0 to 1.
   double share(double time) const { return (time - t) / h; }
   /// On the straight line between its ends, for where nothing better is known.
   void by_line(double time, S& y) const {
@@ -248,7 +248,7 @@ Outcome run_adaptive(const P& problem, double t0, const State<P>& y0, const Requ
     const bool beyond = walk.t() > stop;
     if constexpr (looks_between)
       if (beyond) {
-        // An output that fails is no failure of the run.
+        // An output that fails is not a failure of the run.
         const Status found = trial.between(walk.made(), stop, y_between);
         if (problem.tripped()) return outcome;
         if (found != Status::ok && outcome.detail.empty())

@@ -59,7 +59,7 @@ class LaneWalk {
   }
 
  private:
-  /// Of a budget of evaluations, whole steps.
+  /// The whole steps that a budget of evaluations allows.
   static double most_attempts(std::uint64_t evaluations) {
     const std::uint64_t whole =
         evaluations / std::max<std::uint64_t>(evaluations_of_step<M>() - 1, 1);
@@ -97,7 +97,7 @@ class LaneWalk {
       if (!going[lane]) replace(lane, clock_.t()[lane] >= t1_ ? Status::ok : Status::over_budget);
   }
 
-  /// By the controller of each member; all lanes in one loop where it remembers nothing.
+  /// Asks the controller of each member; all lanes in one loop where it remembers nothing.
   Lanes next_steps(const Lanes& square) {
     Numbers squares = square.numbers(), next = clock_.used().numbers();
     if constexpr (!remembers) {

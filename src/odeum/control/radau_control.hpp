@@ -46,7 +46,7 @@ class RadauTrial {
     return {false, std::min(decision.next_step, 0.9 * h)};
   }
 
-  /// Of Newton's iteration in the last step; 0: not known, infinite: it failed.
+  /// The contraction of Newton's iteration in the last step; 0: not known, infinite: it failed.
   double contraction() const { return contraction_; }
 
   /// A step aside, since the collocation polynomial has order S only; that where it fails.

@@ -69,7 +69,7 @@ auto trial_steps_alone(const P& problem, double t0, const State<P>& y0, double e
   }
 }
 
-/// Those on a problem whose slopes are watched, which they refer to.
+/// Trial steps on a problem whose slopes are watched, to which they refer.
 template <class M, Ode P>
 class TrialInRange {
  public:

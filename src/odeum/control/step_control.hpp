@@ -24,7 +24,7 @@ Decision decide(StepControl& control, double h, double square) {
   return std::isfinite(square) ? control(h, square) : Decision{false, h / 4};
 }
 
-/// For methods whose factors hold for one length of step: a step that would grow by little is kept.
+/// Keeps a step that would grow by little: some methods' factors hold for one length of step.
 inline Decision without_small_growth(Decision decision, double h) {
   if (decision.accept && decision.next_step >= h && decision.next_step < 1.2 * h)
     decision.next_step = h;

@@ -11,7 +11,7 @@
 
 namespace odeum {
 
-/// Of a method that sees the ends of its steps, or looks at each by itself.
+/// Looks at nothing: the method sees the ends of its steps, or looks at each by itself.
 template <class Stepper, Ode P>
 class UnseenEnds {
  public:

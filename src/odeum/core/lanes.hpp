@@ -134,7 +134,7 @@ struct Lanes {
   ODEUM_COMPARISON(>)
   ODEUM_COMPARISON(>=)
 #undef ODEUM_COMPARISON
-  /// In all lanes.
+  /// Equal in all lanes.
   friend bool operator==(const Lanes& a, const Lanes& b) {
     return all(LaneMask{LaneBits(a.v == b.v)});
   }

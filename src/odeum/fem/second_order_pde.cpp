@@ -220,7 +220,7 @@ PdeMap map_types(const SecondOrderPde& pde, const PdeRegion& region, std::size_t
   const bool on_curve = map.share(PdeType::parabolic) < 0.5;
   for (std::size_t j = 0; j <= divisions; ++j)
     for (std::size_t i = 0; i <= divisions; ++i) {
-      // Where the grid meets the curve itself.
+      // The grid may meet the curve itself.
       if (on_curve && map.point(i, j).type == PdeType::parabolic)
         map.changes.push_back(map.place(i, j));
       if (i < divisions) look(i, j, i + 1, j);

@@ -67,7 +67,7 @@ class Solver final : public ShiftedSolver {
     system_.mass.multiply(right_.data(), product_.data());
     ldlt_->solve(product_.data(), x);
     if (!wave_) return true;
-    // From the rate, not from the difference of positions, which cancels for small steps.
+    // The rate gives v: the difference of positions cancels for small steps.
     system_.rate(x, product_.data());
     for (std::size_t i = 0; i < n; ++i) v[i] += gamma_h_ * (product_[i] - system_.source[i]);
     return true;

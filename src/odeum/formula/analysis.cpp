@@ -93,7 +93,7 @@ void find_second_order(const Problem& problem, Structure& s) {
         std::ranges::none_of(positions, [&](std::uint32_t k) { return velocities.contains(k); });
     return;
   }
-  // By what stands in the forces: the sign of a velocity has no derivative.
+  // The forces tell whether velocities matter, since the sign of a velocity has no derivative.
   const std::vector<Id> forces(problem.equations.begin() + half, problem.equations.end());
   s.velocity_dependent = std::ranges::any_of(problem.graph.needed(forces), [&](Id id) {
     return problem.graph[id].op == Op::state && problem.graph[id].index >= half;
@@ -139,8 +139,8 @@ Analysis analyse(Problem& problem) {
       if (entry.by > row) s.upper = std::max<std::size_t>(s.upper, entry.by - row);
     }
   }
-  // A condition or sign(t) has no derivative, and is no linear problem either. Coefficients of a
-  // linear one may depend on t.
+  // A condition or sign(t) has no derivative, and does not make a problem linear either.
+  // Coefficients of a linear one may depend on t.
   s.linear = s.smooth && std::ranges::none_of(graph.needed(varying),
                                               [&](Id id) { return graph[id].op == Op::state; });
   // A condition on t has no derivative.

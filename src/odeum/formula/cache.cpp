@@ -86,12 +86,12 @@ bool others_write(const struct stat& status) {
 std::string why_not_private(const fs::path& folder) {
   struct stat status {};
   if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-    return folder.string() + " is no folder";
+    return folder.string() + " is not a folder";
   if (status.st_uid != ::geteuid()) return folder.string() + " belongs to another user";
   if (others_write(status)) return "others may write in " + folder.string();
   for (fs::path above = folder.parent_path();; above = above.parent_path()) {
     if (::lstat(above.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-      return above.string() + " is no folder";
+      return above.string() + " is not a folder";
     if (status.st_uid != ::geteuid() && status.st_uid != 0)
       return above.string() + " belongs to another user, who could replace " + folder.string();
     // In a folder with the sticky bit, as /tmp, entries are replaced by their owners alone.

@@ -19,7 +19,7 @@ class CaseSection : protected reading::Source {
  public:
   using Item = reading::Item;
 
-  /// Throws InputError with the place of an unknown key, and of an id that is no name.
+  /// Throws InputError with the place of an unknown key, and of an id that is not a name.
   CaseSection(const std::string& file, const std::string& text);
 
   const std::string& name() const { return name_; }  ///< of the problem; empty: none
@@ -33,7 +33,7 @@ class CaseSection : protected reading::Source {
   /// The scalar of a key, or the entries of its list; none: neither.
   std::vector<std::string> texts(std::string_view key) const;
   std::string text(std::string_view key, const std::string& otherwise) const;
-  /// Those of `case`, then those of the case.
+  /// The tags of `case`, then those of the case.
   std::vector<std::string> tags() const;
   Offers offers() const;
 

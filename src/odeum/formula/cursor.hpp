@@ -39,7 +39,7 @@ class Cursor {
   };
   /// Something other than an operator or the end follows an operand.
   [[noreturn]] void unexpected(char c) const;
-  /// The next character that is no space; 0: the end.
+  /// The next character that is not a space; 0: the end.
   char peek();
   bool take(char c);
   /// `where`: what is open.

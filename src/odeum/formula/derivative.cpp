@@ -86,7 +86,7 @@ class Gradients {
   Gradients(Graph& graph, std::uint32_t states) : graph_(graph), states_(states) {}
 
   const std::vector<Entry>& of(Id id) const { return of_.at(id); }
-  /// Those of its arguments are known.
+  /// Adds the derivatives of a node; those of its arguments are known.
   const std::vector<Entry>& add(Id id) {
     return of_.emplace(id, made(id, graph_[id])).first->second;
   }

@@ -23,7 +23,7 @@ class Exact {
  public:
   /// `exact` must not be empty; its derivatives are added to the graph.
   explicit Exact(Problem& problem);
-  /// For a problem whose parameters kept their names.
+  /// Sets the definitions of a problem whose parameters kept their names.
   void define(const std::vector<long double>& definitions);
 
   /// Where the formula is not the solution.
@@ -33,13 +33,13 @@ class Exact {
         false;  ///< not the initial value; else its derivative is not that of the equation
     long double got = 0, expected = 0;
   };
-  /// Of a solution from t0 to `end`.
+  /// The flaw at t of a solution from t0 to `end`; nothing where there is none.
   std::optional<Flaw> flaw_at(long double t, long double t0, long double end);
   /// The state at the time of the last flaw_at.
   const long double* state() const { return y_.data(); }
 
  private:
-  /// Of the equations at the state of the last flaw_at.
+  /// The rounding of the equations at the state of the last flaw_at.
   std::vector<long double> rounding_at(long double t) const;
 
   std::size_t n_;

@@ -51,7 +51,7 @@ class Parser : Cursor {
 
   Id named();
   [[noreturn]] void fail_refused(std::size_t where, std::string_view name) const;
-  /// Those of a rate, x' or u[3]'.
+  /// Takes the primes of a rate, x' or u[3]'.
   std::size_t take_primes();
   [[noreturn]] void fail_unknown(std::size_t where, std::string_view name) const;
 

@@ -54,7 +54,7 @@ class Graph {
   bool is_constant(Id id) const { return nodes_[id].op == Op::constant; }
   bool is_number(Id id) const { return is_constant(id) && nodes_[id].index == 0; }
   bool is(Id id, long double value) const { return is_number(id) && nodes_[id].value == value; }
-  /// In their order: one needs only what stands before it.
+  /// The definitions in their order: one needs only what stands before it.
   const std::vector<Definition>& definitions() const { return definitions_; }
   /// The derivative of a node by its argument number `argument`, the others held, by the table of
   /// operations.cpp; no_node where it has none.

@@ -75,7 +75,7 @@ class TextResiduals {
                             .split = first_rate};
     print_values(out, function, roots, in_order(roots.size()), in_double);
   }
-  /// With the rates after the states.
+  /// Makes the values of roots, with the rates after the states.
   Values make(const std::vector<Id>& roots) {
     std::map<std::uint32_t, Id> after;
     const auto n = static_cast<std::uint32_t>(n_);

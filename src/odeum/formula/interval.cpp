@@ -33,7 +33,7 @@ Interval magnitude(const Interval& a) {
 bool is_zero(const Interval& a) { return a.low == 0 && a.high == 0; }
 
 Interval product(const Interval& a, const Interval& b) {
-  // Of a branch that is not taken, or a factor that is absent.
+  // Zero stands for a branch that is not taken, or a factor that is absent.
   if (is_zero(a) || is_zero(b)) return {0, 0};
   const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
   // 0 * infinity is NaN, which min and max would drop.
@@ -51,7 +51,8 @@ Interval rising(const Interval& a, F f, double from = -infinite, double to = inf
   return outward(f(std::clamp(a.low, from, to)), f(std::clamp(a.high, from, to)));
 }
 
-/// Of the cosine's argument shifted so that its maxima are at multiples of 2 pi.
+/// The range of a sine or cosine with its maxima at shift + 2 pi k; `low` and `high` are its values
+/// at the ends of a.
 Interval wave(const Interval& a, double shift, double low, double high) {
   const double off = 4e-16 * (std::abs(a.low) + std::abs(a.high) + 1);
   const double from = (a.low - shift - off) / (2 * pi), to = (a.high - shift + off) / (2 * pi);

@@ -44,7 +44,7 @@ class Enclosure {
   std::vector<Intervals> values_;
 };
 
-/// The range of one operation that is no leaf.
+/// The range of one operation that is not a leaf.
 Interval enclose(Op op, const Interval& a, const Interval& b, const Interval& c);
 
 }  // namespace odeum::formula

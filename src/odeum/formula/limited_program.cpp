@@ -25,7 +25,7 @@ constexpr rlim_t most_memory = rlim_t{2} << 30U;
 constexpr double wall_seconds = 8;  // for each of the processor
 constexpr int out_of_time = 124;    // what the watcher exits with
 
-/// In the new process: the program, with its output in the log.
+/// Becomes the program in the new process, with its output in the log.
 [[noreturn]] void become(char* const* arguments, const char* log, double seconds) {
   sigset_t none;
   sigemptyset(&none);

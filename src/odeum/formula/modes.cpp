@@ -51,7 +51,7 @@ class Selection {
     const auto at = [&](std::size_t k) { return k < arity(node.op) ? to_[node.of[k]] : no_node; };
     const Id a = at(0), b = at(1), c = at(2);
     if (node.op == Op::choose) {
-      // Of a number that is no condition: it is zero at single times.
+      // A number in place of a condition is zero at single times only.
       const bool first = !graph.is_constant(a) || graph[a].value != 0;
       chosen_[id] = first ? 1 : 2;
       return first ? b : c;

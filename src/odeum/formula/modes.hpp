@@ -10,9 +10,9 @@
 /// one alternative of each holds.
 namespace odeum::formula {
 
-/// By node of a comparison, abs, sign, min or max: the sign of what it depends on (b - a of a < b,
-/// min and max of a and b; else the argument). 0: it is zero, and stays so. By node of floor: 2 n +
-/// 1, if its argument lies between n and n + 1.
+/// Maps each switching node to the sign of its switching function: b - a for a < b, min and max of
+/// a and b; the argument for abs and sign. 0 means that it stays zero. A node of floor has 2 n + 1,
+/// if its argument lies between n and n + 1.
 using Signs = std::map<Id, int>;
 
 struct Mode {

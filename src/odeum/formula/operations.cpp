@@ -43,7 +43,7 @@ constexpr Operation signs(const char* c, Partials partials, F value) {
   return row(nullptr, c, partials, value);
 }
 
-// In the order of Op.
+// The operations in the order of Op.
 constexpr Operation table[] = {
     signs("-{0}", {"-1"}, [](auto a) { return -a; }),
     function("sin", {"cos(a)"}, [](auto a) { return std::sin(a); }),

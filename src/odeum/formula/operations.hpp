@@ -61,7 +61,7 @@ struct Operation {
 inline constexpr std::size_t leaves = 3;  ///< operations without arguments, of no such meaning
 inline bool is_leaf(Op op) { return static_cast<std::size_t>(op) < leaves; }
 
-/// The meaning of an operation that is no leaf.
+/// The meaning of an operation that is not a leaf.
 const Operation& meaning_of(Op op);
 
 inline std::size_t arity(Op op) { return is_leaf(op) ? 0 : meaning_of(op).arguments; }

@@ -55,12 +55,12 @@ inline constexpr std::size_t most_nodes = 1'000'000;   ///< of a graph
 inline constexpr std::size_t most_terms = 10'000'000;  ///< of sums, in some seconds
 
 /// The node of an expression: numbers, + - * / ^, parentheses, t, pi, e, functions, and
-/// if(condition, a, b) and sums over an index. Throws ExpressionError where the text is no
+/// if(condition, a, b) and sums over an index. Throws ExpressionError where the text is not an
 /// expression, for unknown names, for a constant part that is not finite, and beyond the limits
 /// above.
 Id parse_expression(std::string_view text, const Scope& scope, Graph& graph);
 
-/// A whole number: an index. Throws as parse_expression, and where it is no whole number.
+/// A whole number: an index. Throws as parse_expression, and where it is not a whole number.
 std::int64_t parse_index(std::string_view text, const Scope& scope, Graph& graph);
 
 }  // namespace odeum::formula

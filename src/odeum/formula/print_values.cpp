@@ -24,7 +24,7 @@ class ValuesPrinter {
       if (shared.size() < fewest_in_loop || shared.size() > most_shared) shared.clear();
       found = find_repeated(graph_, roots, fewest_in_loop, function_.split, shared);
       of_shared = find_repeated(graph_, shared, 1, function_.split);
-      // One that is no loop stands for all: then nothing is shared between loops.
+      // If one shared function is outside of all loops, nothing is shared between loops.
       if (!of_shared.others.empty()) {
         shared.clear();
         of_shared = {};

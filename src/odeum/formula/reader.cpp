@@ -180,7 +180,7 @@ std::string problem_text(const std::string& file) {
 }
 
 bool looks_like_problem(const std::string& file, const std::string& text) {
-  // Also where the rest is no YAML: the error is then that of a problem.
+  // Also where the rest is not YAML: the error is then that of a problem.
   for (const char* key : {"equations:", "residuals:", "states:"})
     if (text.starts_with(key) || text.find(std::string("\n") + key) != std::string::npos)
       return true;

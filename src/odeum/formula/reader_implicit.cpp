@@ -61,7 +61,7 @@ Id sum_of(Graph& graph, const std::vector<Term>& terms) {
   return sum;
 }
 
-/// By node whether it is one of `of` or depends on one.
+/// Whether each node is one of `of` or depends on one.
 std::vector<bool> containing(const Graph& graph, const std::vector<Id>& of) {
   std::vector<bool> contains(graph.size(), false);
   for (const Id id : of) contains[id] = true;

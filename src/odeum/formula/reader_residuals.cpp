@@ -65,7 +65,7 @@ std::vector<Id> Reader::residuals_of(const Scope& all) {
   }
   if (residuals.size() != expected)
     fail(list.place,
-         "residuals: {} {}; got {}, expected {}: one for each state whose rate is no "
+         "residuals: {} {}; got {}, expected {}: one for each state whose rate is not a "
          "state",
          std::max(expected, residuals.size()) - std::min(expected, residuals.size()),
          residuals.size() < expected ? "short" : "too many", residuals.size(), expected);

@@ -36,7 +36,7 @@ void Reader::add_state(const Item& item, const std::string& name) {
 void Reader::require_rate(const Item& item, const std::string& of) {
   if (!group_places_.contains(of) || first_of_.contains(of))
     fail(item.key_place,
-         "states: the rate of what is no state above; got {}, expected a state {} before it",
+         "states: the rate of an unknown state; got {}, expected a state {} before it",
          shown(item.key), of);
 }
 

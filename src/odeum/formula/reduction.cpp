@@ -101,7 +101,7 @@ class Elimination {
     return rows;
   }
 
-  /// Those entries of a gradient that are for states `first`, ... as factors of rates.
+  /// Adds the entries of a gradient for states `first`, ... as factors of rates.
   void add_entries(Row& row, const std::vector<Entry>& gradient, std::uint32_t first) const {
     std::vector<Id> nodes;
     std::vector<std::uint32_t> columns;

@@ -42,8 +42,7 @@ class ReductionError : public std::runtime_error {
   std::size_t residual_;
 };
 
-/// The rates that occur in a residual other than linearly: solving for them is no matter of
-/// symbols.
+/// The rates that occur in a residual other than linearly: no symbols solve for them.
 std::set<std::uint32_t> nonlinear_rates(Graph& graph, const std::vector<Id>& residuals);
 
 /// The same expressions with other nodes in place of states, of which a map has the number.

@@ -16,8 +16,8 @@ bool is_costly(Op op) {
   return (op >= Op::sin && op <= Op::sign) || (op >= Op::power && op <= Op::max);
 }
 
-/// By node, the number of roots that depend on it, up to one more than most_uses. A node of more
-/// uses does not count as a use of its arguments.
+/// For each node, the number of roots that depend on it, up to one more than most_uses. A node of
+/// more uses does not count as a use of its arguments.
 std::vector<std::uint32_t> uses_of(const Graph& graph, const std::vector<Id>& roots) {
   std::vector<std::uint32_t> uses(graph.size(), 0), seen_by(graph.size(), 0), open;
   for (std::uint32_t r = 0; r < roots.size(); ++r) {

@@ -104,7 +104,7 @@ class Zeros {
     return true;
   }
 
-  /// Where the sign changes between the ends of a part and the known times inside of it.
+  /// Adds the zeros where the sign changes between the ends of a part and the known times in it.
   void search(const Part& part, std::vector<Real>& zeros) const {
     std::vector<Real> points{part.from};
     for (const Real t : known_)
@@ -116,7 +116,7 @@ class Zeros {
       if (k > 0 && at * sign(points[k - 1]) < 0) zeros.push_back(bisect(points[k - 1], points[k]));
     }
   }
-  /// To the last bit.
+  /// The change of sign to the last bit.
   Real bisect(Real low, Real high) const {
     const int begin = sign(low);
     for (;;) {

@@ -38,7 +38,7 @@ class TextOde {
   void rhs(double t, const double* y, double* f) const { view_.rhs(&handle_, t, y, f); }
   OdeView view() const { return view_; }
 
-  /// In extended precision.
+  /// The right-hand side in extended precision.
   void rhs_extended(long double t, const long double* y, long double* f) const {
     raw_.extended_rhs(&handle_, t, y, f);
   }
@@ -49,11 +49,11 @@ class TextOde {
   /// Which entries of the Jacobian are not zero by form.
   const Sparsity& sparsity() const { return sparsity_; }
 
-  /// Of a problem whose parameters kept their names (Parameters::names), and of compiled code:
-  /// gives them these values, and the start that follows from them. False where there is no
-  /// compiled code. Not while another thread computes with this.
+  /// Gives these values to the parameters of a problem that kept their names (Parameters::names),
+  /// in compiled code, and to the start that follows from them. False where there is no compiled
+  /// code. Not while another thread computes with this.
   bool set_parameters(const std::map<std::string, long double>& values);
-  /// Those of the graph's definitions that were set last.
+  /// The values of the graph's definitions that were set last.
   const std::vector<double>& constants() const { return constants_; }
 
   const Problem& problem() const { return problem_; }
@@ -63,7 +63,7 @@ class TextOde {
  private:
   template <class Real>
   using Function = void (*)(const void*, Real, const Real*, Real*);
-  /// As they are computed, with what is not finite.
+  /// The functions as they are computed, with values that are not finite.
   struct Raw {
     Function<double> jacobian = nullptr, entries = nullptr, implicit_jacobian = nullptr,
                      time_derivative = nullptr;

@@ -64,7 +64,7 @@ class Value {
   void require_keys(Keys known) const;
 
   bool is_list() const { return node_->kind == YamlNode::Kind::sequence; }
-  /// Without `what`: `key: got X, expected Y`.
+  /// Throws `key: what; got X, expected Y`; without `what`: `key: got X, expected Y`.
   [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
   [[noreturn]] void fail(const std::string& what, const std::string& got,
                          const std::string& expected) const;

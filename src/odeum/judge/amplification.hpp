@@ -38,7 +38,9 @@ struct Amplification {
 /// other times, runs to 1e-7, moved by 1e-4. Costs some (n + 1) solves, or a dozen. Unknown where
 /// the runs fail or do not end at the truth. The thresholds are those of the tolerance (see
 /// core/tolerance.hpp) that a run is judged by, or the case's; runs and perturbations are by the
-/// smaller of both.
+/// smaller of both. `stops` ascend after the start of the case; `asked` is relative and absolute,
+/// the latter in the units of the components. Throws nothing for a run that fails. Several threads
+/// may measure at once.
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops,
                                     const Tolerance& asked);
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops);

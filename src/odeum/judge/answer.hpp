@@ -38,7 +38,9 @@ struct JudgedAnswer {
 /// component that the controller's norm averages away. The bound is linear in the errors, and over
 /// thousands of steps comes to the size of the solution, where it explains any answer. So more than
 /// a hundred steps explain half of that size at most, unless the control, a method of order 5 or 8
-/// at the same tolerance, is off by a hundredth of the error.
+/// at the same tolerance, is off by a hundredth of the error. `tolerance` is relative, `stop` an
+/// index of `amplification.at_stops`; `floor` (of the truth), `scale` (Judge::scale) and the result
+/// are in the units of the case's errors.
 double explained_error(double tolerance, double steps, const Amplification& amplification,
                        std::size_t stop, double floor, double scale);
 
@@ -46,11 +48,11 @@ double explained_error(double tolerance, double steps, const Amplification& ampl
 /// size.
 bool has_diverged(const std::vector<StopError>& errors, double scale);
 
-/// At a fixed step.
+/// The answer of a run at a fixed step; units as in explained_error.
 JudgedAnswer judge_fixed_answer(const std::vector<StopError>& errors, double scale);
 
-/// To a tolerance. `errors`: one entry a stop, as many as `amplification.at_stops`; `floor`: the
-/// truth's.
+/// The answer of a run to a tolerance; units as in explained_error. `errors`: one entry a stop, as
+/// many as `amplification.at_stops`; `floor`: the truth's.
 JudgedAnswer judge_answer(const std::vector<StopError>& errors, const Amplification& amplification,
                           double tolerance, double steps, double floor, double scale);
 

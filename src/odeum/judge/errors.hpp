@@ -22,16 +22,18 @@ std::vector<std::size_t> measured_components(const Case& c);
 /// An error, as every study, command and file of Odeum has it: |y_i - exact_i| over the unit of the
 /// component i (ErrorUnits), which is 1, the scale of the component, or, of one that falls and
 /// rises again, its exact value at that time. Of a state it is the largest of the measured
-/// components, and of a scene the largest distance of a particle from its exact place, in m.
+/// components, and of a scene the largest distance of a particle from its exact place, in m. `y`
+/// and `exact` have as many numbers as c.y0.
 double error_of(const Case& c, const double* y, const double* exact);
-/// Which component has it, or is the first of several.
+/// The component that has this error, or the first of several.
 std::size_t worst_component(const Case& c, const double* y, const double* exact);
-/// For people: `absolute`, or which units errors are in.
+/// The units of errors in words, as `absolute`.
 std::string unit_text(const Case& c);
 /// The error of the state at a time; NaN where the truth is not known, infinite past its end.
 double error_at(const Case& c, double time, const double* state);
 
-/// Compares solves of one case with its truth, which is evaluated once.
+/// Compares solves of one case with its truth, which is evaluated once. The case has to outlive it;
+/// several threads may use it at once.
 class Judge {
  public:
   /// `stops`: as given to the solver. Stops at which the truth is not known give NaN errors; those

@@ -9,7 +9,8 @@
 #include "odeum/judge/order_fit.hpp"
 
 /// What a fit of an order is made of: local slopes of log error against log step and the window in
-/// which they agree, the first two terms of the error, and its floor.
+/// which they agree, the first two terms of the error, and its floor. Points are sorted from coarse
+/// to fine; steps and errors may have any unit, the same for all. Nothing throws; thread-safe.
 namespace odeum::judge {
 
 /// Student's t, 97.5 %, for 1, 2, ... degrees of freedom; 2.1 for many.
@@ -42,11 +43,11 @@ struct PowerLaw {
 PowerLaw fit_power_law(const ErrorPoint* points, std::size_t n);
 
 double local_slope(const ErrorPoint& coarse, const ErrorPoint& fine);
-/// To point `end` - 1 from the first whose error is a tenth of the solution at most; NaN where that
-/// has less than twice its step.
+/// The slope to point `end` - 1 from the first whose error is a tenth of the solution at most; NaN
+/// where that has less than twice its step.
 double slope_of_resolved(const std::vector<ErrorPoint>& points, std::size_t end);
-/// To point `fine` from the next whose step is so much coarser that noise does not dominate; from
-/// the coarsest where there is none.
+/// The slope to point `fine` from the next whose step is so much coarser that noise does not
+/// dominate; from the coarsest where there is none.
 double local_slope_to(const std::vector<ErrorPoint>& points, std::size_t fine);
 
 /// A window of neighbouring points; `count` 0: none.
@@ -92,7 +93,7 @@ struct TwoTermFit {
   }
 };
 
-/// Over those points at the fine end (or next to it, by up to two) that lie on such a curve and
+/// Fits those points at the fine end (or next to it, by up to two) that lie on such a curve and
 /// determine p best: at least six, whose scatter is 5 % at most, with no trend, with 1 + D h of one
 /// sign and D h at most 1 in size at the finest. None: `points` is 0.
 TwoTermFit fit_two_terms(const std::vector<ErrorPoint>& points);

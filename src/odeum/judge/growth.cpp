@@ -32,8 +32,8 @@ void subtract(std::vector<Complex>& x, Complex factor, const std::vector<Complex
   for (std::size_t i = 0; i < x.size(); ++i) x[i] -= factor * y[i];
 }
 
-/// From the lengths of the states: their logarithm rises by the same amount each step where one
-/// root of the iteration dominates. Noise: how much the amount varies.
+/// The growth from the lengths of the states: their logarithm rises by the same amount each step
+/// where one root of the iteration dominates. Noise: how much the amount varies.
 Growth growth_by_norms(std::span<const PlaneState> states) {
   double low = infinity, high = -infinity;
   const double first = std::log(length(states.front()));
@@ -49,11 +49,11 @@ Growth growth_by_norms(std::span<const PlaneState> states) {
           4 * (high - low) + growth_rounding};
 }
 
-/// From the recurrence s_{k+2} = a s_{k+1} + b s_k of the states as complex numbers, which every
-/// linear one-step map of a plane obeys (a its trace, -b its determinant, both real) and every
-/// iteration that two roots dominate: the larger root of r^2 = a r + b. Sees that a symplectic map
-/// is bounded although its states change in length. Noise: the effect of the scatter of a
-/// least-squares fit; infinite where the states do not determine the recurrence.
+/// The growth from the recurrence s_{k+2} = a s_{k+1} + b s_k of the states as complex numbers,
+/// which every linear one-step map of a plane obeys (a its trace, -b its determinant, both real)
+/// and every iteration that two roots dominate: the larger root of r^2 = a r + b. Sees that a
+/// symplectic map is bounded although its states change in length. Noise: the effect of the scatter
+/// of a least-squares fit; infinite where the states do not determine the recurrence.
 Growth growth_by_recurrence(std::span<const PlaneState> states, Coefficients coefficients) {
   const auto restricted = [coefficients](Complex c) {
     return coefficients == Coefficients::real ? c.real() : c;

@@ -28,10 +28,10 @@ using PlaneState = std::array<double, 2>;
 /// The type of a recurrence's coefficients: those of a real linear map are real.
 enum class Coefficients { real, complex };
 
-/// From the states' lengths, or from a recurrence that they obey. For y' = z y (complex
+/// The growth from the states' lengths, or from a recurrence that they obey. For y' = z y (complex
 /// coefficients): the one of the two with less noise. For an oscillator (real ones): the
 /// recurrence, and the lengths only where it is not determined, since they vary with twice the
-/// oscillator's frequency, too slowly for the window. At least four states.
+/// oscillator's frequency, too slowly for the window. At least four states, one a step.
 Growth dominant_growth(std::span<const PlaneState> states, Coefficients coefficients);
 
 double length(const PlaneState& state);

@@ -131,7 +131,8 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 ///   the finest clear tolerances (no sound control that was measured rejects that many there);
 ///   `failed`: nothing was solved. Whoever makes the runs says `over_budget` instead where the
 ///   budget ended all of them.
-/// A claimed order of NaN gives not_applicable with the measured slope.
+/// A claimed order of NaN gives not_applicable with the measured slope. Errors and steps may have
+/// any unit, the same for all points. Throws nothing; thread-safe.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                    const FitTolerance& tolerance);
 

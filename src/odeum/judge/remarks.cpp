@@ -91,7 +91,7 @@ std::vector<std::vector<double>> linear_invariants(const Case& c) {
   Eigen::FullPivLU<Eigen::MatrixXd> lu(slopes);
   lu.setThreshold(1e-11);  // rounding of slopes of 1, after as many eliminations as unknowns
   const Eigen::MatrixXd kernel = lu.kernel();
-  // In the order of the components whose weights are free.
+  // The sums are in the order of the components whose weights are free.
   std::map<int, std::vector<double>> kept;
   for (Eigen::Index k = 0; k < lu.dimensionOfKernel(); ++k) {
     std::vector<double> weights(kernel.col(k).begin(), kernel.col(k).end());
@@ -120,7 +120,7 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
   std::vector<std::string> uncontrolled, negative;
   std::vector<double> largest(n), exact(n), lowest(n), lowest_exact(n);
   for (std::size_t i = 0; i < n; ++i) largest[i] = std::abs(c.y0[i]);
-  // Between the stops, as far as that is known.
+  // Sizes between the stops count, as far as they are known.
   if (!c.truth.largest.empty()) largest = c.truth.largest;
   if (!c.truth.lowest.empty()) lowest_exact = c.truth.lowest;
   const auto take_truth_at = [&](double stop) {

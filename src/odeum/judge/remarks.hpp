@@ -8,7 +8,8 @@
 namespace odeum::judge {
 
 /// The sums sum_i w_i y_i that the equations of a case keep, whatever the state: rows of weights,
-/// each with a 1 first. Found from the right-hand side at random states; up to 64 unknowns.
+/// each with a 1 first and as many numbers as y0. Found from the right-hand side at random states;
+/// none of more than 64 unknowns.
 std::vector<std::vector<double>> linear_invariants(const Case& c);
 
 /// What a run that ended `ok` shows of faults that an error at the end may hide, in sentences:

@@ -29,7 +29,8 @@ inline constexpr double search_width = 1e-10;
 /// for a Runge-Kutta method of order 2 is 1 to rounding below y = 1e-2. So where no point below the
 /// onset decays, the onset decides: if growth there continues the power law above it, down to the
 /// level of the noise, the law is assumed to hold below it too, and the limit is 0; at a true limit
-/// growth starts abruptly, many powers of ten above that law.
+/// growth starts abruptly, many powers of ten above that law. `growth_at` is called on this thread,
+/// with x > 0, and what it throws passes through.
 LimitFound find_limit(const std::function<Growth(double)>& growth_at);
 
 }  // namespace odeum::judge

@@ -28,7 +28,8 @@ struct StepMatrix {
 };
 
 /// Measured on the running solver, by steps from 0 and from each unit vector. The case has to be
-/// linear and of few unknowns. Throws std::runtime_error where a run fails.
+/// linear and of few unknowns. h > 0 is in the case's unit of time. Throws std::runtime_error where
+/// the solver does not fit or a run fails.
 StepMatrix measure_step_matrix(const Case& c, const Solver& solver, double h);
 
 /// A spectral radius for people; near 1 as `1 + 2.5e-09`.

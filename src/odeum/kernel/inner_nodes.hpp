@@ -32,12 +32,12 @@ class InnerNodes {
   S& state(std::size_t node) { return states_[node]; }
   S& slope(std::size_t node) { return slopes_[node]; }  ///< y' at the node
 
-  /// By the states: degree inner + 1.
+  /// Interpolates by the states: degree inner + 1.
   void by_states(double share, S& y) const {
     y = states_.front();
     for (std::size_t k = 1; k < size(); ++k) add(basis(k, share), states_[k], y);
   }
-  /// By the states and slopes (Hermite): degree 2 inner + 3.
+  /// Interpolates by the states and slopes (Hermite): degree 2 inner + 3.
   void by_slopes(double share, S& y) const {
     y = states_.front();
     for (std::size_t k = 0; k < size(); ++k) {

@@ -26,7 +26,9 @@
 /// and, where the method is not self-starting, `void start(double t, double h, const State<P>& y)`,
 /// called once before the first step; where it has an embedded row,
 /// `Status step(double t, double h, State<P>& y, State<P>& error)` with the error estimate.
-/// Adaptive runs then follow (control/one_step.hpp): by the embedded row, else by step doubling.
+/// Adaptive runs then follow (control/one_step.hpp): by the embedded row, else by step doubling. y
+/// and error have the problem's size and units; after a status other than ok they are not to be
+/// used. A Stepper keeps states of its own: one for each thread.
 ///
 /// A method that chooses its own steps (and possibly order) has in addition, or instead
 /// (`fixed_step = false`), the trial steps of a run from t0 to `end` (control/adaptive.hpp),
@@ -35,7 +37,7 @@
 ///                                                double end, const Tolerance& tolerance);
 ///                                                                          // a TrialSteps
 ///
-/// or, where its steps are no trials, a complete adaptive run through every stop of the request:
+/// or a complete adaptive run through every stop of the request, for methods without trial steps:
 ///
 ///     template <class P> static Outcome integrate(const P& problem, double t0, const State<P>& y0,
 ///                                                 const Request& request);

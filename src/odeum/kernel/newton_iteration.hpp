@@ -93,11 +93,11 @@ class NewtonIteration {
     factored_for_ = system_.factorise(gamma_h) ? gamma_h : 0;
     return factored_for_ == gamma_h;
   }
-  /// Where the next correction is no smaller than the last (rate >= 1; infinite: it is not finite),
-  /// or the last was taken in part. A reused Jacobian is renewed at the other guess, an older one
-  /// of this solve at y; a correction by the Jacobian at its own start is halved until the next is
-  /// smaller, from where the iteration goes on with a new Jacobian (Deuflhard, Newton Methods for
-  /// Nonlinear Problems, 3.3). False: give up; a step that can be retried shorter does so at once.
+  /// Called where the next correction did not shrink (rate >= 1; infinite: it is not finite), or
+  /// the last was taken in part. With a reused Jacobian: renews it at the guess and restarts there.
+  /// With an older one of this solve: renews it at y. With one at the correction's own start:
+  /// halves the correction until the next is smaller, then renews it (Deuflhard, Newton Methods for
+  /// Nonlinear Problems, 3.3). False: gives up; a step that can be retried shorter does so at once.
   bool back_off(double t, double gamma_h, const State<P>& base, State<P>& y, bool& fresh,
                 int& since_renewal, double rate) {
     if (fresh && (!to_rounding() || (since_renewal == 0 && rate == infinity))) return false;

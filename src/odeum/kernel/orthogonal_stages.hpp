@@ -15,11 +15,11 @@ namespace odeum {
 /// nodes: t, [t], [t,t], [[t]], [t,t,t], [t,[t]], [[t,t]], [[[t]]] (Hairer, Norsett, Wanner,
 /// Solving ODEs I, II.2). Sums of states sum them.
 using ElementaryWeights = std::array<double, 8>;
-/// Of the exact solution: one over the densities of the trees.
+/// The weights of the exact solution: one over the densities of the trees.
 inline constexpr ElementaryWeights exact_weights{1,       1.0 / 2, 1.0 / 3,  1.0 / 6,
                                                  1.0 / 4, 1.0 / 8, 1.0 / 12, 1.0 / 24};
 
-/// Of h f(y): those of y times one another, for each branch of the root.
+/// The weights of h f(y): those of y times one another, for each branch of the root.
 inline ElementaryWeights slope_of(const ElementaryWeights& y) {
   return {1, y[0], y[0] * y[0], y[1], y[0] * y[0] * y[0], y[0] * y[1], y[2], y[3]};
 }

@@ -85,7 +85,7 @@ class RadauStepper {
     rejected_ = true;
     jacobian_.renew_unless_fresh();
   }
-  /// Of Newton's iteration in the last step, for the control of steps and order.
+  /// What Newton's iteration took in the last step, for the control of steps and order.
   int iterations() const { return newton_.iterations(); }
   double contraction() const { return newton_.contraction(); }
   static constexpr int max_iterations = 7 + (static_cast<int>(stages) - 3) * 5 / 2;

@@ -52,7 +52,7 @@ class StageSystem<T, P> {
     std::fill(terms_.begin(), terms_.end(), 0);
     for (std::size_t i = 0; i < n_ * n_; ++i) terms_[i / n_] += std::abs(j_[i] * y[i % n_]);
   }
-  /// For the step h, with J and M of the last linearise(); false: singular or not finite.
+  /// Factors for the step h, with J and M of the last linearise(); false: singular or not finite.
   bool factorise(double h) {
     for (std::size_t k = 0; k < count; ++k) {
       const Complex by = mu(k) / h;

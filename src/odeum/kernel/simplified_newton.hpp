@@ -19,15 +19,15 @@ struct NewtonSettings {
   double slow_kept = never, slow_fresh = never;
   bool foresees = false;  ///< fail once the iterations left cannot suffice at this contraction
   bool smooth = false;    ///< the contraction is the geometric mean of the last two
-  /// The remainder while no contraction is known. One that an earlier solve measured is no bound:
-  /// across a contact f is another function.
+  /// The remainder while no contraction is known. One that an earlier solve measured does not bound
+  /// it: across a contact f is another function.
   double first_remainder = 1;
 };
 
 enum class NewtonVerdict { done, go_on, slow, diverges, unsolvable };
 
-/// Simplified Newton iteration, that of every kernel: the Jacobian is kept while it converges fast
-/// (Hairer, Wanner, Solving ODEs II, IV.8).
+/// Simplified Newton iteration of fully implicit Runge-Kutta and BDF methods: the Jacobian is kept
+/// while the iteration converges fast (Hairer, Wanner, Solving ODEs II, IV.8).
 template <NewtonSettings s>
 class SimplifiedNewton {
  public:

@@ -29,7 +29,7 @@ class SpectralRadius {
     begin();
   }
 
-  /// At (t, y) with f = f(t, y); an upper bound as far as the iteration has converged.
+  /// The radius at (t, y) with f = f(t, y); a bound as far as the iteration has converged.
   double operator()(double t, const State<P>& y, const State<P>& f) {
     constexpr double safety = 1.2, agreement = 0.01;
     constexpr int most = 60;
@@ -45,8 +45,8 @@ class SpectralRadius {
     return safety * radius;
   }
 
-  /// By two iterations alone, of which successive looks along a solution make the vector the
-  /// fastest one: the geometric mean of their quotients, which of a rotation alone vary.
+  /// Makes two iterations alone; successive looks along a solution make the vector the fastest one.
+  /// The geometric mean of their quotients, each of which varies where f only rotates.
   double look(double t, const State<P>& y, const State<P>& f) {
     const double first = iterate(t, y, f);
     return std::sqrt(first * iterate(t, y, f));

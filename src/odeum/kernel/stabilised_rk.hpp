@@ -43,9 +43,8 @@ class StabilisedRungeKutta {
     return Status::ok;
   }
 
-  /// Of order 2 the error is that of the third derivative: 12 (y_n - y_{n+1}) + 6 h (F_n + F_{n+1})
-  /// = h^3 y'''
-  /// + O(h^4).
+  /// The error of order 2 is that of the third derivative: 12 (y_n - y_{n+1}) + 6 h (F_n + F_{n+1})
+  /// = h^3 y''' + O(h^4).
   Status step(double t, double h, State<P>& y, State<P>& error) {
     make_step(t, h, y);
     problem_.rhs(t + h, y.data(), last_.data());

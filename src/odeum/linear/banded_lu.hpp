@@ -31,14 +31,14 @@ class BandedLu {
     std::fill(re_.begin(), re_.end(), Real(0));
     std::fill(im_.begin(), im_.end(), Real(0));
   }
-  /// Where entry (row, column) of the band stands in re() and im().
+  /// The index of entry (row, column) of the band in re() and im().
   std::size_t place(std::size_t row, std::size_t column) const {
     return row * width_ + lower_ + column - row;
   }
   Real* re() { return re_.data(); }
   Real* im() { return im_.data(); }
 
-  /// In place; false where the matrix is singular or has an entry that is not finite.
+  /// Factorises in place; false where the matrix is singular or has an entry that is not finite.
   bool factorise() {
     std::size_t last = 0;  // the last column that is not zero in a row with a pivot so far
     for (std::size_t k = 0; k < n_; ++k) {

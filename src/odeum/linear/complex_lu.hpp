@@ -78,7 +78,7 @@ class ComplexLu {
     }
   }
 
-  /// From entry i of x: row i of the factors, from column `from` to before `to`, times x.
+  /// Subtracts row i of the factors, from column `from` to before `to`, times x from entry i of x.
   void subtract(std::size_t i, std::size_t from, std::size_t to, double* re, double* im) const {
     const double *const row_re = re_.data() + i * n_, *const row_im = im_.data() + i * n_;
     double x = re[i], y = im[i];

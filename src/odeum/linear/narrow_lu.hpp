@@ -26,7 +26,7 @@ class NarrowLu {
         x_(chain_) {}
 
   void clear() { std::fill(rows_.begin(), rows_.end(), Pair{}); }
-  /// Where entry (row, column) of the band stands in re() and im() until factorise().
+  /// The index of entry (row, column) of the band in re() and im(), until factorise().
   std::size_t place(std::size_t row, std::size_t column) const {
     const bool from_start = std::min(row, column) < chain_ ||
                             (row < chain_ + width && std::max(row, column) < n_ - chain_);

@@ -31,7 +31,7 @@ struct Levels {
   int depth = 0;           ///< of the last
 };
 
-/// From `start`; `level` is all -1 before and after.
+/// The levels from `start`; `level` is all -1 before and after.
 Levels levels_from(int start, const std::vector<std::vector<int>>& neighbours,
                    std::vector<int>& level) {
   Levels found;

@@ -91,7 +91,7 @@ class ListedLu {
  private:
   static constexpr double largest_multiplier = 100;  // at most two digits lost by an elimination
 
-  /// Without the case of numbers that are not finite, which std::complex looks for.
+  /// The product without std::complex's case of numbers that are not finite.
   static Scalar times(Scalar a, Scalar b) {
     if constexpr (std::is_arithmetic_v<Scalar>)
       return a * b;

@@ -26,7 +26,7 @@ class Factors {
   virtual void solve(double* re, double* im) = 0;
 };
 
-/// Where the entries of I - g J stand among the numbers of an LU of a band.
+/// The indices of the entries of I - g J among the numbers of an LU of a band.
 template <bool is_complex>
 class BandPlaces {
  public:

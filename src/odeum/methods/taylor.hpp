@@ -61,7 +61,7 @@ struct taylor {
     explicit Heun(const P& problem)
         : problem_(problem), slope_(make_state(problem)), end_slope_(slope_), end_(slope_) {}
 
-    /// At (t, y); false where f is not finite.
+    /// Begins at (t, y); false where f is not finite.
     bool begin(double t, const State<P>& y) { return is_finite(t, y, slope_); }
     bool is_inside(double t, const State<P>& y) { return is_finite(t, y, end_); }
     /// The state at t + h in `result`.

@@ -17,7 +17,7 @@ class AnyStepper {
   virtual ~AnyStepper() = default;
   /// Call it before the first step, and where (t, y, h) do not continue the last one.
   virtual void start(double /*t*/, double /*h*/, const std::vector<double>& /*y*/) {}
-  /// With the error estimate where one is asked for; refused where the method has none.
+  /// Makes a step, with the error estimate where one is asked for; refused where there is none.
   virtual Status step(double t, double h, std::vector<double>& y,
                       std::vector<double>* error = nullptr) = 0;
 };

@@ -87,6 +87,7 @@ std::string cell_text(const Cell& cell);
 class FieldSource {
  public:
   virtual ~FieldSource() = default;
+  /// The text of the next field, or that of the column. Throws BadField past the end of a record.
   virtual std::string next(const std::string& column) = 0;
 };
 /// A field is not a value of its member.

@@ -37,7 +37,7 @@ struct Facts {
 Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries,
                unsigned jobs = 1);
 
-/// As entries of page.json. Texts are made plain (report/text.hpp), numbers that are not finite are
+/// Entries of page.json. Texts are made plain (report/text.hpp), numbers that are not finite are
 /// null.
 nlohmann::ordered_json json_of(const CaseFacts& c);
 nlohmann::ordered_json json_of(const SolverInfo& solver);

@@ -22,7 +22,8 @@ struct TextSource;
 
 /// The independent reference: the exact state at a time.
 struct Truth {
-  /// Fills the state at t, infinite past the end of the solution (a pole); false: not known.
+  /// Fills the state at t, as many numbers as the case's y0, infinite past the end of the solution
+  /// (a pole); false: not known. Several threads may call it at once.
   std::function<bool(double t, double* y)> at;
   double floor = 0;  ///< largest error of the truth itself, in the units of the case's errors
   std::vector<double> floors;  ///< by component, in its own unit; empty: see Case::floor_of
@@ -56,7 +57,8 @@ struct Parameter {
   std::string meaning;  ///< with its unit
 };
 
-/// The solvers on one problem whose parameters change between solves; for one thread.
+/// The solvers on one problem whose parameters change between solves. For one thread: no solve may
+/// run while `place` does.
 struct Family {
   Entrants entrants;
   std::shared_ptr<const std::vector<double>> y0;  ///< of the values that were placed last
@@ -86,7 +88,9 @@ struct StudySettings {
 /// What was found in a statement, for people: a name of one word, and a text.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
-/// A problem with all that is needed to run solvers on it and to measure their errors.
+/// A problem with all that is needed to run solvers on it and to measure their errors. Times are in
+/// the problem's unit, states have as many numbers as y0, each in its own. Several threads may use
+/// a case that nobody changes; copies share the problem and the entrants.
 struct Case {
   // Defined in case.cpp: each is as long as this list, and every file with a case would compile it.
   Case();
@@ -166,7 +170,7 @@ struct Case {
   bool has_tag(const std::string& tag) const { return std::ranges::find(tags, tag) != tags.end(); }
 };
 
-/// Computes the truth of a case that was made before it, under the deadline of the thread
+/// Computes the truth of a case that was made before it, under the deadline in force
 /// (truth::Deadline); nothing where it is there. Throws InputError for a statement that the truth
 /// contradicts (an invariant that is not kept).
 void complete(Case& c);

@@ -11,9 +11,13 @@
 
 namespace odeum {
 
-/// The solvers on one problem, in the order of a list of solvers. An entrant is made when it is
-/// first asked for, so that a run of one solver enrols one. Copies share their entrants, which stay
-/// where they are. Thread-safe but for add().
+/// The solvers on one problem, in the order of a list of solvers:
+///
+///     const Entrant* const found = c.entrants.find(id);  // library/method
+///     if (found && found->unfit.empty()) outcome = found->solve(request);
+///
+/// An entrant is made when it is first asked for, so that a run of one solver enrols one. Copies
+/// share their entrants, which stay where they are. Thread-safe but for add().
 class Entrants {
  public:
   /// Called on each entrant when it is made.
@@ -28,9 +32,10 @@ class Entrants {
   std::size_t size() const;
   /// Information on entrant k without enrolling it; fields that depend on the problem are unset.
   const SolverInfo& info(std::size_t k) const;
+  /// Entrant k < size(), which stays where it is as long as a copy of this lives.
   const Entrant& operator[](std::size_t k) const;
   const Entrant& back() const { return (*this)[size() - 1]; }
-  /// Null where there is none of that id.
+  /// The entrant of an id, library/method; null where there is none.
   const Entrant* find(const std::string& id) const;
 
   class Iterator {

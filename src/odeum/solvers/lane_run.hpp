@@ -18,7 +18,8 @@ struct LaneFamily {
 };
 
 /// `count` members; `place(k)` makes member k that placed last, and returns false where its values
-/// make no problem. An outcome that is not `ok` only says that the member has to run alone.
+/// make no problem. An outcome that is not `ok` only says that the member has to run alone. A
+/// LaneRun calls it on its own thread, and returns `count` outcomes in the order of the members.
 struct LaneMembers {
   const LaneFamily& family;
   std::size_t count;

@@ -47,7 +47,7 @@ std::string fmi_support();
 void add_runtime_library(RuntimeLibrary library);
 /// The libraries that this program was built with, or without (generated).
 const std::vector<LibraryInfo>& built_in_libraries();
-/// In the order of their addition. Nothing can be added afterwards.
+/// The libraries in the order of their addition. Nothing can be added afterwards.
 const std::vector<RuntimeLibrary>& runtime_libraries();
 
 }  // namespace odeum

@@ -60,6 +60,10 @@ struct Entrant {
   /// Why the solver does not fit the problem, in a sentence; empty where it fits and `solve` may be
   /// called.
   std::string unfit;
+  /// Runs from t0 and y0 of the contest to the last stop. The outcome has the states at the stops
+  /// that were reached, one after the other, as many numbers each as y0; a numerical failure is its
+  /// status. On a case it throws std::invalid_argument for a malformed request (require_sound).
+  /// Several threads may call it at once while no parameter of the problem is changed.
   std::function<Outcome(const Request&)> solve;
   ExtendedRun extended{};  ///< empty: no coefficients in extended precision
 };
@@ -102,7 +106,8 @@ using LaneRun = std::vector<Outcome> (*)(const LaneMembers& members, const Reque
 struct Solver {
   SolverInfo info;
   /// Puts it on a problem: fills `unfit`, or `solve` and what else it can do there. The entrant
-  /// comes with the solver's info, which may be completed from the problem.
+  /// comes with the solver's info, which may be completed from the problem. Several threads may
+  /// enroll it at once, on contests of their own.
   std::function<void(const ErasedContest&, Entrant&)> enroll;
   /// An own method's run of many members in vector lanes; no function where it has none, and null
   /// where it has none in this mode or needs what the problem does not offer. An explicit method

@@ -16,7 +16,7 @@ struct Packing {
   std::uint64_t first_alone = 0;      ///< the first shard of timed tasks
 };
 
-/// In about `shards` shards, none of which is empty: the longest task first, each to the shard that
+/// Packs tasks in about `shards` shards, none empty: the longest first, each to the shard that
 /// has the least.
 Packing pack(const PlannedTasks& foreseen, double shards);
 

@@ -95,7 +95,8 @@ struct Share {
   }
 };
 
-/// Where a run keeps results and takes those of earlier runs from, and what they depend on.
+/// Where a run keeps results and takes those of earlier runs from, and what they depend on. The
+/// stores belong to the caller, have to outlive the run and may be used by its threads at once.
 struct ResultCache {
   record::Store* store = nullptr;  ///< null: nowhere
   /// What any result of the run depends on: the whole program and all options.
@@ -131,7 +132,7 @@ class Runner {
     return run_by(0, what, tasks, key, work);
   }
 
-  /// For what is timed within a task.
+  /// How many threads the tasks may take.
   unsigned jobs() const { return jobs_; }
 
  private:

@@ -87,7 +87,7 @@ std::uint64_t mixed(std::uint64_t key) {
   return key ^ key >> 31U;
 }
 
-// In (0, 1).
+// A number in (0, 1), the same for the same key.
 double uniform(std::uint64_t key) {
   return (static_cast<double>(mixed(key) >> 11U) + 0.5) * 0x1p-53;
 }

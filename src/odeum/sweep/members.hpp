@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
-/// Many runs of one problem with other values of its parameters.
+/// Many runs of one problem with other values of its parameters:
+///
+///     const Members members({axis_of("k=1..2:11"), axis_of("m=1,2,5")}, 0, 1);
+///     members.values(1);  // k = 1, m = 2: member 1 of 33
 namespace odeum::sweep {
 
 /// A parameter with its values: those of a grid, or a distribution from which they are drawn.
@@ -30,7 +33,7 @@ class Members {
  public:
   /// Every combination of the grids, the last axis fastest; with distributions `sample` draws for
   /// each. Throws std::invalid_argument for a name that stands twice, for too many members, and
-  /// where `sample` (0: not given) and the axes do not fit.
+  /// where `sample` (0: not given) and the axes do not fit. The draws follow from `seed`.
   Members(std::vector<Axis> axes, std::uint64_t sample, std::uint64_t seed);
   /// From a CSV file: a header of names, then a line of numbers for each member. Throws
   /// std::invalid_argument with the line.
@@ -38,9 +41,9 @@ class Members {
 
   std::uint64_t size() const { return size_; }
   const std::vector<std::string>& names() const { return names_; }
-  /// For more than one value of the grid, and nothing for a table.
+  /// The axes, in the order given; empty for a table.
   const std::vector<Axis>& axes() const { return axes_; }
-  /// The parameter values of a member, in the order of names(). Thread-safe.
+  /// The parameter values of a member < size(), in the order of names(). Thread-safe.
   std::vector<double> values(std::uint64_t member) const;
 
  private:

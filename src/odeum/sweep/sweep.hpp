@@ -33,6 +33,14 @@ struct MemberStudy {
 };
 
 /// What to run: each member from the case's start to the last stop.
+///
+///     Plan plan(c, Members({axis_of("k=1..2:11")}, 0, 1));
+///     plan.solver = "odeum/rk4";
+///     plan.request.steps = 100, plan.request.stops = {c.stops.back()};
+///     plan.quantities = quantities_of("x(end)", c);
+///     const Result all = run(plan);
+///
+/// The case and the stores of `kept` belong to the caller and have to outlive it.
 struct Plan {
   Plan(const Case& c, Members of) : base(&c), members(std::move(of)) {}
 
@@ -42,10 +50,10 @@ struct Plan {
   Request request;  ///< with stops between where a quantity needs them
   Members members;
   std::vector<Quantity> quantities;
-  unsigned jobs = 1;
+  unsigned jobs = 1;  ///< threads
   /// Members that are held against a truth of their own, unless the error is a quantity.
   std::uint64_t checks = 100;
-  double check_seconds = 20;     ///< which takes no longer
+  double check_seconds = 20;     ///< of the clock, which the checks take at most
   study::ResultCache kept = {};  ///< where rows are kept; of a share only its rows are made
   /// For the quantiles of the components over time; without stops none are wanted.
   Request over_time = {};
@@ -83,11 +91,12 @@ struct Result {
   double seconds = 0;
 };
 
-/// Runs every member; one that fails is a row with its status. Throws std::invalid_argument for a
-/// parameter that the case does not have, and Interrupted.
+/// Runs every member, on plan.jobs threads, those of a timed study on one; a member that fails is a
+/// row with its status. Throws std::invalid_argument for a parameter that the case does not have,
+/// std::runtime_error for a result that shards lack, and Interrupted.
 Result run(const Plan& plan);
 
-/// The values of all of the case's parameters for a member.
+/// The values of all of the case's parameters for a member, in the order of Case::parameters.
 std::vector<double> parameters_of(const Plan& plan, std::uint64_t member);
 /// The k-th of `count` members that are evenly spread over all.
 std::uint64_t spread(const Plan& plan, std::uint64_t k, std::uint64_t count);

@@ -80,7 +80,7 @@ struct RosenbrockTableau {
   }
 };
 
-/// From alpha, Gamma (with its diagonal) and b.
+/// The tableau from alpha, Gamma (with its diagonal) and b.
 template <std::size_t S>
 constexpr RosenbrockTableau<S> rosenbrock_from(const std::array<std::array<double, S>, S>& alpha,
                                                const std::array<std::array<double, S>, S>& gamma,

@@ -21,7 +21,7 @@ namespace odeum {
 ///     b_hat: [1, 0]                    # optional
 struct TableauFile {
   std::string name, source;
-  /// In fractions where every coefficient is rational, else to `coefficient_bits`.
+  /// The tableau in fractions where every coefficient is rational, else to `coefficient_bits`.
   std::variant<DynamicTableau<mpq_class>, DynamicTableau<mpf_class>> tableau;
   DynamicTableau<double> rounded;  ///< the same rounded to double, for running it
   CoefficientRounding rounding;    ///< error bounds of rounded decimals

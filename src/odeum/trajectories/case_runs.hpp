@@ -35,7 +35,7 @@ struct ExactStates {
 
 /// The states of the truth at these times.
 ExactStates true_states(const Case& c, const std::vector<double>& times);
-/// At the outputs of all runs, and where a reference holds the truth at its times.
+/// The exact states at the outputs of all runs, and where a reference holds the truth at its times.
 ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs);
 
 /// A row for each output of each solver, and for each exact state (library `truth`): case, library,

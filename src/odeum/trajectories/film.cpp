@@ -93,7 +93,7 @@ struct View {
   }
 };
 
-/// From violet over green to yellow, as on the replay page.
+/// The colour from violet over green to yellow, as on the replay page.
 Colour colour_of_speed(double part) {
   constexpr std::array<Colour, 5> stops{{{0.28, 0.24, 0.59},
                                          {0.2, 0.43, 0.71},

@@ -36,7 +36,7 @@ struct RunTexts {
 /// goes on with the one before.
 void add_lines(RunTexts& texts, const std::string& lines);
 
-/// As the fact "runs" of page.json; what is drawn depends on `kind`.
+/// The fact "runs" of page.json; what is drawn depends on `kind`.
 nlohmann::ordered_json page_facts(const std::string& kind, const RunTexts& texts);
 
 /// Writes the tables of the runs of a case (trajectory.csv, steps.csv, solution.csv, runs.csv) and

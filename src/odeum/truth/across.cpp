@@ -29,7 +29,7 @@ void add(const State& more, State& sum) {
   for (std::size_t i = 0; i < more.size(); ++i) sum[i] += more[i];
 }
 
-/// With a later time as zero.
+/// An insight with a later time as zero.
 class LaterInsight final : public Insight {
  public:
   LaterInsight(std::unique_ptr<Insight> insight, Real origin)
@@ -50,7 +50,7 @@ class LaterInsight final : public Insight {
 };
 
 System later(System s, Real origin) {
-  // Of the time, the state, and perhaps more.
+  // Moves a function of the time, the state, and perhaps more.
   const auto move = [origin](auto& function) {
     if (function)
       function = [function, origin](Real t, const Real* y, auto... more) {

@@ -27,7 +27,7 @@ struct Look {
 
 Look look_by(const Look& how, const System& system, const std::vector<Real>& times, Real tolerance,
              Real parts) {
-  // Of operations: some tenths of a second.
+  // The budget in operations: some tenths of a second.
   const double budget = how.method == verner_run ? 3e7 : 1e8;
   Look look{how.method, how.least_part, Watched(system.states)};
   const Effort effort{.tolerance = tolerance,
@@ -41,7 +41,7 @@ Look look_by(const Look& how, const System& system, const std::vector<Real>& tim
   return look;
 }
 
-/// By explicit steps; where these do not come to the end, by implicit ones, with small components
+/// Uses explicit steps; where these do not come to the end, implicit ones, with small components
 /// measured by the largest where rounding forbids more.
 Look farthest(const System& system, const std::vector<Real>& times, Real tolerance, Real parts) {
   Look best = look_by({}, system, times, tolerance, parts);

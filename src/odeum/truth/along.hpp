@@ -23,9 +23,9 @@ class Watched {
  public:
   explicit Watched(std::size_t states) : all_(states) {}
   void take(const State& y);
-  /// At a time that was asked for.
+  /// Marks a time that was asked for.
   void mark() { marks_.push_back(all_); }
-  /// Up to that mark.
+  /// The sizes up to a mark.
   Along at(std::size_t mark) const;
 
  private:

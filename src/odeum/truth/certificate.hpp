@@ -33,7 +33,7 @@ struct Certificate {
   double width = 0;        ///< of the enclosures up to it, the largest radius, in the units
   std::string why;         ///< not all of it is proved
 };
-/// As a sentence that begins with the word.
+/// A sentence that begins with the word.
 std::string to_text(const Certificate& certificate);
 
 /// Encloses the solution of the equations, with constants as they were read to 64 bits, by Taylor's

@@ -218,7 +218,7 @@ void EnclosedFlow::turn(const Balls& derivative, const Balls& flow_of_middle) {
       near(i, j) = moved[i * n_ + j].middle();
       lengths[j] += std::pow(near(i, j) * rest_[j].radius(), 2);
     }
-  // As they lie, as long as they point to different sides.
+  // The columns stay as they lie, as long as they point to different sides.
   constexpr double most_oblique = 300;
   matrix_ = near.colwise().normalized();
   Balls inverse = inverse_of(matrix_);

@@ -29,7 +29,7 @@ class EnclosedFlow {
 
   /// Goes on to a later time; otherwise returns why it can't.
   std::string run_to(double time);
-  /// Where the solution is, by state.
+  /// The balls in which the states of the solution lie.
   Balls box() const;
 
  private:

@@ -35,7 +35,7 @@ class Ending {
       states_.erase(states_.begin(), states_.begin() + most);
     }
   }
-  /// At t, whose rounding is `unit`.
+  /// Whether the solution itself ends at t, whose rounding is `unit`.
   bool is_of_solution(const System& system, Real t, const State& y, Real unit) const {
     // The slope grows as (end - t)^-p; with p < 1 the solution is finite.
     State f(y.size()), g(y.size());

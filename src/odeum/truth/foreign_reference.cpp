@@ -105,7 +105,7 @@ std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, st
     return std::make_unique<Samples>(system, shortest_seen * span);
   };
   system.rounding = 0x1p-53L;
-  // Of a call of foreign code; what it really takes is not known.
+  // The work of a call of foreign code is assumed; what it really takes is not known.
   system.work = 200 + 20 * static_cast<double>(n);
   const std::size_t room = (stops.size() + 100) * 2 * (n + 2) * 32 + 4096;
   const auto [ended, text] = isolated::text_isolated(

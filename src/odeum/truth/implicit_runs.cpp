@@ -34,7 +34,7 @@ struct Radau {
 
 /// The stages z_i = Y_i - y of one step, by Newton's method with the Jacobian at the start, in the
 /// eigenvectors of A, where it is I - h lambda J for each eigenvalue (Bickart 1977; Butcher 1976).
-/// Of two that are conjugate, one stands for both. They are known in double, which is enough for
+/// One eigenvalue stands for its conjugate. They are known in double, which is enough for
 /// corrections: residuals are in extended precision.
 class RadauStage {
   struct Mode {

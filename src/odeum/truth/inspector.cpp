@@ -12,7 +12,7 @@ using formula::Intervals;
 using formula::lanes;
 using formula::Op;
 
-/// As wide as the rounding to double at least.
+/// The interval is at least as wide as the rounding to double.
 Interval box_of(Real low, Real high) {
   const Real rounding = 0x1p-51L * std::max(std::abs(low), std::abs(high));
   return {static_cast<double>(low - rounding), static_cast<double>(high + rounding)};
@@ -28,7 +28,8 @@ bool within_factor(const Interval& x, double factor) {
 /// a step having eight cells.
 bool is_resolved(Op op, const Interval& a, const Interval& b, const Interval& v) {
   constexpr double part = 0.25, factor = 1.5;
-  // Of a function that has reached its limit, like tanh, at any argument. Intervals widen by 2^-49.
+  // A function that has reached its limit, like tanh, is constant to this. Intervals widen by
+  // 2^-49.
   constexpr double constant = 0x1p-47;
   constexpr double zero = 1e-300;
   if (v.width() <= constant * std::max(std::abs(v.low), std::abs(v.high)) + zero) return true;

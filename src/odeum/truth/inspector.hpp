@@ -22,8 +22,8 @@ class Inspector {
   /// `slope`, `next_slope`: of the solution at both ends.
   Inside look(Real t, Real h, const State& y, const State& slope, const State& next,
               const State& next_slope);
-  /// By how much the equations may vary over the box between both ends of the step; where they have
-  /// no bound there, by how much they vary at samples of it.
+  /// How much the equations may vary over the box between both ends of the step; where they have no
+  /// bound there, how much they vary at samples of it.
   State spread(Real t, Real h, const State& y, const State& next);
   /// Bounds of the rounding of the equations in extended precision.
   void rounding(Real t, const State& y, State& bound);
@@ -31,7 +31,7 @@ class Inspector {
  private:
   /// Values over the cells of a part of the step.
   const std::vector<formula::Intervals>& over_cells(Real from, Real to);
-  /// By cell, whether a condition changes or may change in it.
+  /// Whether a condition changes or may change in each cell.
   std::array<bool, formula::lanes> undecided(const std::vector<formula::Intervals>& values) const;
   /// The first cell of a part at whose right end a condition has changed; all: none.
   std::size_t first_changed(Real from, Real to);

@@ -35,7 +35,7 @@ class Noise {
     constexpr Real amplified = 16;
     const Real unit = system_.rounding, relative = 0x1p11L * unit;
     system_.rhs(t, y.data(), f_.data());
-    // To both sides: beyond a jump of f, the difference is not that of rounding.
+    // Both sides are looked at: beyond a jump of f, the difference is not that of rounding.
     for (std::size_t i = 0; i < y.size(); ++i) moved_[i] = y[i] * (1 + relative);
     system_.rhs(t, moved_.data(), above_.data());
     for (std::size_t i = 0; i < y.size(); ++i) moved_[i] = y[i] * (1 - relative);
@@ -85,8 +85,8 @@ void extrapolate(std::array<State, rows>& table, int row, State& line, State& di
   table[static_cast<std::size_t>(row)] = line;
 }
 
-/// By how much a step may change for an error of an order. Double suffices for it, and its power
-/// takes a tenth of the time.
+/// The factor by which a step may change for an error of an order. Double suffices for it, and its
+/// power takes a tenth of the time.
 inline Real step_factor(Real error, int order) {
   if (!std::isfinite(error)) return 0.25L;
   if (error == 0) return 4;
@@ -109,12 +109,12 @@ inline Real size_soon(const System& system, Real h, State y, State f) {
   return std::min(h * (std::isfinite(later) ? std::max(size, later) : size), 1.0L);
 }
 
-/// As measured: of allocations, and of the inspector's intervals.
+/// The measured cost of allocations, and of the inspector's intervals, in operations.
 inline double overhead_of_step(const System& system, std::size_t states, bool is_inspected) {
   return 200 + 20 * static_cast<double>(states) + (is_inspected ? 400 + 40 * system.work : 0);
 }
 
-/// That the seconds or the work of a run are spent; empty while they are not.
+/// Says that the seconds or the work of a run are spent; empty while they are not.
 inline std::string words_of_limit(const Effort& effort, double work, Real t) {
   const bool late = is_past(effort.until);
   if (!late && work <= effort.budget) return {};
@@ -141,7 +141,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   system.rhs(system.t0, y.data(), f.data());
   Real t = system.t0;
   const Real span = effort.span > 0 ? effort.span : times.back() - t;
-  // Of a start at zero the slope tells a size, for one step.
+  // The slope tells the size of a start at zero, for one step.
   if (measured.none_yet()) measured.expect(size_soon(system, span * 0x1p-20L, y, f));
   const Real slope = largest_ratio(f, sizes);
   Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / effort.parts);

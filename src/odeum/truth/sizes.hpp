@@ -26,7 +26,7 @@ class Sizes {
   bool none_yet() const {
     return std::ranges::all_of(peaks_, [](Real peak) { return peak == 0; });
   }
-  /// For one step.
+  /// Takes sizes to be at least this, for one step.
   void expect(Real size) {
     for (Real& each : now) each = std::max(each, size);
     expected_ = true;
@@ -54,7 +54,7 @@ class Sizes {
   Real least(std::size_t i, Real largest) const {
     const Real usual = least_part_ * largest;
     if (!along_) return usual;
-    // To a relative error of 1e6 tolerances.
+    // A component has a relative error of 1e6 tolerances at most.
     const Real own = falls_and_rises(i) ? along_->dips[i] : along_->largest[i];
     return own > 0 ? std::min(usual, 1e6L * own) : usual;
   }

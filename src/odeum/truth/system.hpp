@@ -16,6 +16,12 @@
 /// References that Odeum computes for problems without a closed form: by two methods of different
 /// families in extended precision, which no competitor is (their steps, orders and programs are not
 /// those of Odeum's own methods).
+///
+///     System system;
+///     system.states = 1, system.y0 = {1};
+///     system.rhs = [](Real, const Real* y, Real* f) { f[0] = -y[0]; };
+///     const Reference known = compute_reference(system, {1, 2}, {});
+///     // known.states[k][0] is exp(-known.times[k]); 1 and 2 are among the times
 namespace odeum::truth {
 
 using Real = long double;
@@ -36,7 +42,7 @@ class Insight {
   virtual Inside look(Real t, Real h, const State& y, const State& next) = 0;
   /// A bound of the rounding of f at (t, y) in extended precision, by component; false: not known.
   virtual bool rounding(Real /*t*/, const State& /*y*/, State& /*bound*/) { return false; }
-  /// By how much f may vary within a step that is too short to be looked into, by component.
+  /// How much f may vary within a step that is too short to be looked into, by component.
   virtual State spread(Real /*t*/, Real /*h*/, const State& y, const State& /*next*/) {
     return State(y.size());
   }
@@ -47,7 +53,11 @@ class Watched;
 /// Part of itself, see System::moved_rhs and Effort::disturb.
 inline constexpr Real moved_by = 0x1p-40L;
 
-/// An initial value problem in extended precision.
+/// An initial value problem in extended precision. Times and states are in the problem's units; y,
+/// f and State have `states` numbers. `states`, `y0` and `rhs` are required. `entries` comes with
+/// `sparsity` and in place of `jacobian`, `moved_rhs` with `moved_y0`, `mode_at` with `moved_y0`
+/// where `smooth` is false; `holds` and `whole_rhs` belong to what `mode_at` returns. All else may
+/// be empty.
 struct System {
   std::size_t states = 0;
   Real t0 = 0;
@@ -69,14 +79,14 @@ struct System {
   bool smooth = true;
   /// For a run of the length `span`; empty: there is none.
   std::function<std::unique_ptr<Insight>(Real span)> insight;
-  /// Of equations with kinks: a smooth system that holds from (t, y) on until `holds` is not
-  /// positive, on constants that are moved or not; null: none does, since the solution stays
-  /// where a condition changes.
+  /// For equations with kinks, a smooth system that holds from (t, y) on until `holds` is not
+  /// positive, on constants that are moved or not; null: none does, since the solution stays where
+  /// a condition changes.
   std::function<std::shared_ptr<System>(Real t, const State& y, Real span, bool moved)> mode_at;
   /// Times, ascending, at which steps end, since one mode ends and another one begins there.
   State switches;
   std::function<Real(Real t, const Real* y)> holds;
-  /// Of a mode, the right-hand side of which it is one; empty: it is no mode.
+  /// The right-hand side of which this is a mode; empty: it is not a mode.
   std::function<void(Real t, const Real* y, Real* f)> whole_rhs;
   /// Whether several threads may call the functions at once.
   bool concurrent = false;
@@ -116,8 +126,8 @@ struct Run {
   bool split = false;  ///< steps were shortened for what was found inside of them
   /// The time just after a condition has changed, at which the run ended, and the state there.
   std::optional<std::pair<Real, State>> changed;
-  /// By component, what steps too short to be looked into may hide, and what the rounding of the
-  /// times of switches moves; empty: nothing.
+  /// For each component, what steps too short to be looked into may hide, and what the rounding of
+  /// the times of switches moves; empty: nothing.
   State unsure;
   std::size_t sure = 0;  ///< how many of the first states are not moved by that
   State peaks;           ///< the largest of each component
@@ -164,9 +174,9 @@ System from_zero(const System& system);
 Run run_across(Method method, const System& system, const std::vector<Real>& times,
                const Effort& effort, bool moved);
 
-/// While it lives, a reference whose computation begins has to be done by then, on any thread: one
-/// that is not has what two methods agree on up to there, to fewer digits or up to an earlier time,
-/// and is not kept.
+/// While alive, bounds every reference whose computation begins, on any thread. One that is cut
+/// short has what two methods agree on so far, to fewer digits or up to an earlier time, and is not
+/// kept.
 class Deadline {
  public:
   explicit Deadline(Moment until) : before_(in_force_.exchange(until)) {}
@@ -181,8 +191,8 @@ class Deadline {
 };
 inline bool is_past(Moment moment) { return std::chrono::steady_clock::now() > moment; }
 
-/// While it lives, references need to be known no better than to this error, in the units of their
-/// errors.
+/// While alive, references on any thread need to be known no better than to this error, in the
+/// units of their errors.
 class Accuracy {
  public:
   explicit Accuracy(double error) : before_(in_force_.exchange(error)) {}
@@ -200,7 +210,7 @@ class Accuracy {
 struct Reference {
   std::vector<double> times;  ///< at which it is known: those asked for, and others between
   std::vector<State> states;
-  /// By time: bounds of the error of each component, in its own unit, in extended precision.
+  /// For each time, bounds of the error of each component, in its own unit, in extended precision.
   std::vector<std::vector<double>> floors;
   double known_until = 0;  ///< the last time that was looked at and is known
   std::string end;         ///< why nothing is known beyond; empty: all is known
@@ -213,7 +223,9 @@ struct Reference {
 /// The exact states at the times (ascending) to as many digits as two methods agree on. The
 /// tolerances are refined until the runs agree no better. A floor is their disagreement, with a
 /// safety factor, and what the rounding of constants adds. Where they
-/// agree on less than 1e-6 of the solution, both in these units, nothing is known.
+/// agree on less than 1e-6 of the solution, both in these units, nothing is known. Where the system
+/// is `concurrent`, up to three threads call its functions. Throws Interrupted, and what they
+/// throw.
 Reference compute_reference(const System& system, const std::vector<double>& times,
                             const ErrorUnits& units);
 

@@ -10,8 +10,8 @@
 
 namespace odeum::truth {
 
-/// By interval arithmetic on the equations, and on conditions that are positive. `whole`: the text
-/// of whose modes the equations are one.
+/// Looks into steps by interval arithmetic on the equations, and on conditions that are positive.
+/// `whole`: the text of which the equations are a mode.
 class TextInsight final : public Insight {
  public:
   using Holds = std::function<Real(Real t, const Real* y)>;

@@ -147,7 +147,7 @@ class Modes {
     return has;
   }
 
-  /// Of all conditions at a place, as far as they matter there.
+  /// The signs of all conditions at a place, as far as they matter there.
   formula::Signs signs_at(Real t, const State& y, bool is_moved) {
     formula::Signs signs;
     for (std::size_t known = 0;;) {
@@ -188,8 +188,8 @@ class Modes {
     }
     return at->second;
   }
-  /// By Euler's method in a few steps, so that a condition of which only a higher derivative is not
-  /// zero changes too.
+  /// Makes a few steps of Euler's method, so that a condition of which only a higher derivative is
+  /// not zero changes too.
   static State short_way(const Part& part, Real t, State y, Real after) {
     constexpr int steps = 4;
     State slope(y.size());

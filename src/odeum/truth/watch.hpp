@@ -14,8 +14,8 @@
 
 namespace odeum::truth {
 
-/// A trial step from (t, y): the new state, its error over the tolerance (of an order), and what
-/// the step has cost.
+/// A trial step from (t, y): the new state, its error divided by the tolerance, and the operations
+/// spent.
 struct Trial {
   State y;
   Real error = 0;
@@ -108,7 +108,7 @@ struct Watch {
   }
 
  private:
-  /// Of a step that can't be looked into: whether what it may hide moves the state by little.
+  /// Whether the unseen part of a step that can't be looked into moves the state by little.
   bool is_harmless(Real t, Real h, const State& y, const State& sizes, const State& next,
                    Run& run) {
     constexpr Real little = 1e-9L;  // of the largest state

@@ -32,8 +32,8 @@ class GridCloth {
   std::size_t particles() const { return layout().rows * layout().columns; }
   std::size_t size() const { return 6 * layout().size; }
 
-  /// Between a state in this layout and all positions x y z, then all velocities, of particle after
-  /// particle.
+  /// Moves all positions x y z, then all velocities, of particle after particle to a state in this
+  /// layout, and back.
   std::vector<Real> scattered(const std::vector<double>& y) const;
   std::vector<double> gathered(const std::vector<Real>& state) const;
 

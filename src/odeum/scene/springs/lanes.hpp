@@ -18,7 +18,7 @@ struct Lanes {
 template <class Real>
 using Vector = typename Lanes<Real>::Vector;
 
-/// At any address: loads and stores go through a type that asks for no alignment.
+/// Loads from any address: loads and stores go through a type that asks for no alignment.
 template <class Real>
 [[gnu::always_inline]] inline Vector<Real> load(const Real* from) {
   using Anywhere __attribute__((vector_size(vector_bytes), aligned(alignof(Real)), may_alias)) =

@@ -31,7 +31,7 @@ struct GridLayout {
   GridLayout(std::size_t rows, std::size_t columns);
   bool operator==(const GridLayout&) const = default;
   std::size_t row(std::size_t r) const { return (r + margin) * stride + margin; }
-  /// From the place of end a of a spring to that of end b.
+  /// The distance from the place of end a of a spring to that of end b, in numbers.
   std::size_t offset(const SpringKind& kind) const {
     return static_cast<std::size_t>(kind.row_offset) * stride +
            static_cast<std::size_t>(kind.column_offset);
@@ -46,7 +46,7 @@ struct GridLayout {
         visit(row(static_cast<std::size_t>(r)) + static_cast<std::size_t>(c));
   }
 
-  /// From x y z of particle after particle to three arrays of this layout, and back.
+  /// Moves x y z of particle after particle to three arrays of this layout, and back.
   template <class Real>
   void scatter(const double* particles, Real* arrays) const;
   template <class Real>

@@ -46,7 +46,7 @@ struct Box {
 
 class Cells {
  public:
-  /// For queries with these boxes, or with others.
+  /// Queries are made with these boxes, or with others.
   Cells(std::span<const Box> boxes, double distance) : Cells(boxes, distance, boxes) {}
   Cells(std::span<const Box> boxes, double distance, std::span<const Box> queries)
       : distance_(distance) {

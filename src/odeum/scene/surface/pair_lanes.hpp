@@ -53,7 +53,7 @@ class PairLanes {
       for (auto& places : places_) places[lane] = places[0];
   }
 
-  /// As of one pair.
+  /// The differences e1, e2 and r of each pair, as of one pair.
   void differences(const Quads& q, Vec<Lanes>& e1, Vec<Lanes>& e2, Vec<Lanes>& r) const {
     const bool triangle = first().kind == SurfacePair::Kind::triangle;
     const Vec<Lanes> x0 = gather(q, 0), x1 = gather(q, 1), x2 = gather(q, 2), x3 = gather(q, 3);

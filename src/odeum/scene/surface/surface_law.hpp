@@ -51,7 +51,7 @@ struct Sloped {
   Real value{}, slope{};
 };
 
-/// From 0 at x <= 0 to 1 at x >= 1, with three continuous derivatives.
+/// A step from 0 at x <= 0 to 1 at x >= 1, with three continuous derivatives.
 template <class Real>
 Sloped<Real> rise(const Real& x) {
   const MaskOf<Real> begun = x > 0, rising = x < 1;

@@ -38,7 +38,7 @@ class Measures {
   std::map<const Case*, OfCase> of_cases_;
 };
 
-/// To so many significant digits.
+/// The value to so many significant digits.
 double rounded(double value, int digits) {
   return record::number_of(fmt::format("{:.{}e}", value, digits - 1));
 }

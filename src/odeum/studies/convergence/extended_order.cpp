@@ -49,8 +49,8 @@ judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t s
           .components = static_cast<double>(numbers)};
 }
 
-/// From runs about and beyond `rounding_steps`. None where the case or the solver has nothing in
-/// extended precision, or long double is double.
+/// The order from runs about and beyond `rounding_steps`. None where the case or the solver has
+/// nothing in extended precision, or long double is double.
 std::optional<judge::OrderFit> extended_order(const Pair& pair, std::uint64_t rounding_steps) {
   const Case& c = *pair.c;
   if (!c.extended || !c.extended->truth || !pair.entrant->extended ||
@@ -82,7 +82,7 @@ void refit_in_extended_precision(const Pair& pair, std::uint64_t end_of_double,
   if (fit.verdict != judge::Verdict::undetermined && fit.verdict != judge::Verdict::over_budget)
     return;
   std::optional<judge::OrderFit> closer = extended_order(pair, end_of_double);
-  // Without a number where no run gave an error, or all of them are rounding.
+  // There is no number where no run gave an error, or all of them are rounding.
   if (!closer || closer->verdict == judge::Verdict::undetermined || std::isnan(closer->order))
     return;
   closer->reason =

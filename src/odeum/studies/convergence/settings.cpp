@@ -110,7 +110,7 @@ std::vector<Request> settings_beyond(const Pair& pair, Request request,
                                      const std::vector<std::uint64_t>& informative) {
   const bool small = is_small(*pair.c);
   if (informative.empty() || (!small && !pair.c->has_tag("smooth"))) return {};
-  // Where runs are cheap to a sixteenth of the step.
+  // Runs that are cheap go to a sixteenth of the step.
   std::uint64_t& budget = request.budget.evaluations;
   budget = small ? cheap_evaluations : 3 * budget;
   std::vector<Request> requests;

@@ -25,8 +25,8 @@ std::vector<Request> settings_between(const Pair& pair, Request request,
 std::vector<Request> settings_beyond(const Pair& pair, Request request,
                                      const std::vector<std::uint64_t>& informative);
 
-/// Likewise runs to tolerances halfway between those in `solved`, from loose to tight, and beyond
-/// the last of them, for small problems alone.
+/// Runs to tolerances halfway between those in `solved`, from loose to tight, and beyond the last
+/// of them, for small problems alone. All else is as in `request`.
 std::vector<Request> tolerances_between(const Pair& pair, Request request,
                                         const std::vector<double>& solved);
 std::vector<Request> tolerances_beyond(const Pair& pair, Request request, double finest);

@@ -21,7 +21,7 @@ struct DriftRow {
   /// |value - exact| / |exact|, or |value - exact| where the exact value is 0. Of the phase: the
   /// lag over the exact angle, which is the relative error of the frequency.
   double relative_error = nan;
-  /// In the case's units; of the phase: the lag in radians, > 0 behind.
+  /// The invariant in the case's units; for the phase the lag in radians, > 0 behind.
   double value = nan;
 
   static constexpr const char* file = "drift.csv";

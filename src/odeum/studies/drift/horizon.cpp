@@ -20,7 +20,7 @@ std::vector<double> times_of_truth(const Case& c) {
   return times;
 }
 
-/// From coarse to fine: steps that fall on all those times, and tolerances.
+/// Settings from coarse to fine: steps that fall on all those times, and tolerances.
 std::vector<Request> settings_of(const Case& c, const SolverInfo& info,
                                  const std::vector<double>& times) {
   std::vector<Request> requests;

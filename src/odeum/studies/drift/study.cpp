@@ -42,7 +42,7 @@ std::string table(const DriftResult& result) {
          (horizons.empty() ? "" : "\n" + horizons);
 }
 
-/// Which own solvers keep the symplectic form, by running them, for the diagram of energies.
+/// Finds the own solvers that keep the symplectic form, by runs, for the diagram of energies.
 void show_symplectic(report::Report& report, const DriftResult&) {
   nlohmann::ordered_json ids = nlohmann::ordered_json::array();
   for (const proof::MethodFacts& method : proof::all_method_facts())

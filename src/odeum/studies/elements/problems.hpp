@@ -40,7 +40,7 @@ ModelProblem skewed_problem();
 /// The meshes of a problem, each with half the mesh size of the one before.
 class Hierarchy {
  public:
-  /// As far as `most` divisions. `problem` must outlive the object.
+  /// Goes as far as `most` divisions. `problem` must outlive the object.
   Hierarchy(const ModelProblem& problem, std::size_t most);
 
   const fem::Levels& levels() const { return levels_; }

@@ -149,8 +149,9 @@ EvolutionOrderRow order_of(const Equation& equation, const Solver& solver, const
   return row;
 }
 
-/// In time: the error of the steps alone. In space: the whole error on each mesh, with the most
-/// steps, where these contribute less than a twentieth; solvers of order 1 do not come so far.
+/// Adds the orders. In time: the error of the steps alone. In space: the whole error on each mesh,
+/// with the most steps, where these contribute less than a twentieth; solvers of order 1 do not
+/// come so far.
 void add_orders(EvolutionResult& result, const Equation& equation, const Solver& solver) {
   const std::size_t divisions = mesh_of_steps(result.runs);
   std::vector<judge::ErrorPoint> in_time, in_space;

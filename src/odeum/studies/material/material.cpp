@@ -10,7 +10,7 @@
 namespace odeum::study {
 namespace {
 
-// In periods of the slowest mode.
+// Times in periods of the slowest mode.
 constexpr double periods_a_round = 4, periods_swinging = 5;
 
 // Each round of settling starts at rest at the mean of the one before, which removes most of the

@@ -20,7 +20,7 @@ std::vector<double> output_times(const TimedCase& stage) {
   return {times.begin(), times.end()};
 }
 
-/// At the outputs at which the truth is known.
+/// The largest error at the outputs at which the truth is known.
 double largest_error(const judge::Judge& judge, const Outcome& outcome) {
   double largest = 0;
   for (const judge::StopError& error : judge.errors(outcome))

@@ -17,7 +17,7 @@ const Case& case_with_plane(const std::string& plane);
 struct RunLength {
   std::uint64_t first_steps, last_steps;
 };
-/// For a limit, measured to 1e-6, and for one of the many points of a region.
+/// Runs for a limit, measured to 1e-6, and for one of the many points of a region.
 inline constexpr RunLength limit_length{.first_steps = 64, .last_steps = 8192};
 inline constexpr RunLength region_length{.first_steps = 32, .last_steps = 512};
 

@@ -13,7 +13,7 @@ namespace odeum::study {
 /// (growth_meter.hpp) of y' = z y from y = 1, or of the oscillator q'' = -2 zeta w q' - w^2 q from
 /// q = 1, q' = 0, is at most 1 to within the accuracy of the measurement.
 
-/// To what a measured limit is held to theory, relative above 1.
+/// The difference from theory that a measured limit may have, relative above 1.
 inline constexpr double limit_tolerance = 1e-6;
 
 /// A limit of stability along an axis: a line of stability_limits.csv. `limit` is measured on the

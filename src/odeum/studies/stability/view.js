@@ -70,7 +70,7 @@
   };
 
   // A loop as a path; `open`: without the parts that run along the edges of the picture, which are
-  // no boundary.
+  // not a boundary.
   const loopPath = (region, loop, x, y, open) => {
     const [left, right, bottom, top] = region.box,
       near = [1e-3 * (right - left), 1e-3 * (top - bottom)];
