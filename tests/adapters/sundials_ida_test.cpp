@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "odeum/advise/recording.hpp"
 #include "odeum/cases/text_case.hpp"
 #include "odeum/input/text_file.hpp"
+#include "odeum/measure/recording.hpp"
 #include "odeum/problem/implicit_form.hpp"
 #include "support/catalogue.hpp"
 
@@ -88,8 +88,8 @@ TEST(Ida, NeedsResidualsAndKeepsTheBudget) {
 // Its run is made again with the evaluations noted, which are those of the residuals.
 TEST(Ida, TellsWhyItsStepsAreAsTheyAre) {
   const Case c = case_of("akzo_nobel");
-  const advise::Run run =
-      advise::record(c, "ida/bdf", tests::adaptive_request(1e-6, {c.stops.back()}), 4);
+  const measure::Run run =
+      measure::record(c, "ida/bdf", tests::adaptive_request(1e-6, {c.stops.back()}), 4);
   EXPECT_TRUE(run.ok()) << run.outcome.detail;
   EXPECT_GT(run.trace.times.size(), run.steps());
   EXPECT_TRUE(run.exact);

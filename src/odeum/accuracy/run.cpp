@@ -11,10 +11,10 @@
 #include "odeum/accuracy/stepper.hpp"
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/stability_search.hpp"
+#include "odeum/measure/growth_meter.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/record/table.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
-#include "odeum/studies/stability/growth_meter.hpp"
 
 namespace odeum::accuracy {
 namespace {
@@ -100,8 +100,8 @@ int check_stability(const std::string& axis, const std::string& claimed) {
   if ((axis != "real" && axis != "imaginary") || read.ec != std::errc() ||
       read.ptr != claimed.data() + claimed.size())
     throw std::invalid_argument("stability takes real or imaginary, and a number");
-  const Probe probe = study::case_with_plane("lambda").probe();
-  study::GrowthMeter meter(probe, probe.entrants.back(), false, study::limit_length);
+  const Probe probe = measure::case_with_plane("lambda").probe();
+  measure::GrowthMeter meter(probe, probe.entrants.back(), false, measure::limit_length);
   const judge::LimitFound found = judge::find_limit(
       [&](double x) { return axis == "real" ? meter.measure(-x, 0) : meter.measure(0, x); });
   const bool right = std::abs(found.limit - limit) <= last_digit(claimed);

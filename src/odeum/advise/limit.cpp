@@ -9,18 +9,20 @@
 #include <stdexcept>
 
 #include "odeum/advise/answer_parts.hpp"
-#include "odeum/advise/local.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/judge/flow.hpp"
+#include "odeum/measure/local.hpp"
 
 namespace odeum::advise {
 namespace {
+
+using measure::Moment, measure::Region, measure::Run, measure::Spectrum;
 
 using State = std::vector<double>;
 
 /// The largest part of the stable range that a step of h takes at a state; NaN: no edge is known.
 double used_at(const Case& c, Region& region, double t, double h, const State& y) {
-  const Spectrum spectrum = spectrum_at(c, t, y, State(y.size(), 1), true);
+  const Spectrum spectrum = measure::spectrum_at(c, t, y, State(y.size(), 1), true);
   double used = spectrum.all.empty() ? nan : 0;
   for (const std::complex<double>& z : spectrum.all) {
     // A motion that grows by itself has no edge.
@@ -85,7 +87,7 @@ std::string limit_of_adaptive(const Advice& advice, const Case& c) {
   constexpr std::size_t moments = 16;
   constexpr double near_edge = 0.6;
   Region region(winner.entrant->info.id());
-  const Run run = record(c, winner.entrant->info.id(), found.request(), moments);
+  const Run run = measure::record(c, winner.entrant->info.id(), found.request(), moments);
   std::size_t known = 0, near = 0;
   for (const Moment& at : run.moments) {
     const double used = at.h > 0 ? used_at(c, region, at.t, at.h, at.y) : nan;
@@ -179,7 +181,7 @@ std::string growth_of(const Advice& advice, const Case& c) {
     followed = stops_followed(c, base);
     for (const State& start : changed_starts(c)) {
       take_growth(c, start, base, flow.solve(c.t0, start, c.stops), problem);
-      const Recording changed(c, c.t0, start);
+      const measure::Recording changed(c, c.t0, start);
       const Entrant* const entrant = changed.solver(winner.entrant->info.id());
       const Outcome outcome = entrant ? entrant->solve(request) : refused("");
       if (outcome.status != Status::ok) return {};

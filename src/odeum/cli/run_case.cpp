@@ -7,7 +7,6 @@
 #include <optional>
 #include <set>
 
-#include "odeum/advise/why_answer.hpp"
 #include "odeum/cases/conditions.hpp"
 #include "odeum/cases/text_case.hpp"
 #include "odeum/cli/run.hpp"
@@ -21,6 +20,7 @@
 #include "odeum/studies/convergence/settings.hpp"
 #include "odeum/trajectories/run_page.hpp"
 #include "odeum/truth/computed_truth.hpp"
+#include "odeum/why/why_answer.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -129,10 +129,9 @@ std::string why_text(const Case& c, const CaseRun& run, const RunOptions& option
   std::string text;
   if (run.outcome.counters.work < cheap)
     text = "why     " +
-           advise::first_line(advise::why(c, solver, request, seconds, cases::conditions_of(c))) +
-           "\n";
+           why::first_line(why::why(c, solver, request, seconds, cases::conditions_of(c))) + "\n";
   return text + fmt::format("more    odeum why {}{} --solver {} {}\n", shell_word(options.what),
-                            options.more, solver, advise::setting_of(request, c));
+                            options.more, solver, why::setting_of(request, c));
 }
 
 /// Writes the files of the runs and their page; returns the lines that name them.

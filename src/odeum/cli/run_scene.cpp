@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "odeum/advise/why_answer.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/run_rows.hpp"
@@ -15,6 +14,7 @@
 #include "odeum/trajectories/run_page.hpp"
 #include "odeum/trajectories/scene_files.hpp"
 #include "odeum/trajectories/scene_verdict.hpp"
+#include "odeum/why/why_answer.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -205,7 +205,7 @@ void print_why(const Scene& scene, const SceneRun& run, const RunOptions& option
   Case whole;
   whole.stops = {*scene.duration};
   print("more       odeum why {}{} --solver {} {}\n", shell_word(options.what), options.more,
-        run.entrant->info.id(), advise::setting_of(run.request, whole));
+        run.entrant->info.id(), why::setting_of(run.request, whole));
 }
 
 int run_read(const scene::ReadScene& read, const cases::Named& source,

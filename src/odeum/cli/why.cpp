@@ -3,13 +3,13 @@
 #include <chrono>
 #include <cmath>
 
-#include "odeum/advise/why_answer.hpp"
 #include "odeum/cases/conditions.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/core/clocks.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/trajectories/run_page.hpp"
 #include "odeum/truth/system.hpp"
+#include "odeum/why/why_answer.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -23,8 +23,7 @@ struct WhyOptions {
 
 /// The run and the better one with their states over time, for the page, whose curves go by name:
 /// the same solver at another setting is `same`, with that in its name.
-std::vector<trajectories::CaseRun> shown_runs(const Case& c, const advise::Why& why,
-                                              Entrant& same) {
+std::vector<trajectories::CaseRun> shown_runs(const Case& c, const why::Why& why, Entrant& same) {
   constexpr std::uint64_t most_steps_shown = 20'000;
   std::vector<trajectories::CaseRun> runs;
   const auto show = [&](const Entrant& entrant, Request request, const Counters& counters) {
@@ -42,28 +41,28 @@ std::vector<trajectories::CaseRun> shown_runs(const Case& c, const advise::Why& 
   const Entrant& entrant = *c.entrants.find(why.solver);
   show(entrant, request, why.outcome.counters);
   if (!why.better) return runs;
-  const advise::Other& other = why.others[*why.better];
+  const why::Other& other = why.others[*why.better];
   if (other.request.stops != why.request.stops) return runs;
   same = entrant;
-  same.info.method += " " + advise::setting_of(other.request, c);
+  same.info.method += " " + why::setting_of(other.request, c);
   show(other.solver == why.solver ? same : *c.entrants.find(other.solver), other.request,
        other.counters);
   return runs;
 }
 
-void write_files(const std::string& out, const Case& c, const advise::Why& why,
+void write_files(const std::string& out, const Case& c, const why::Why& why,
                  const advise::Asked& asked) {
   const record::OutputFolder folder(out);
-  folder.write("why.txt", advise::text_of(why, c, asked));
-  folder.write("why.json", advise::json_of(why, c, asked).dump(2) + "\n");
+  folder.write("why.txt", why::text_of(why, c, asked));
+  folder.write("why.json", why::json_of(why, c, asked).dump(2) + "\n");
   trajectories::RunTexts texts{.title = c.title,
                                .lead = c.id,
-                               .facts = {{"Why", advise::first_line(why)}},
-                               .bounds = advise::segments_of(why),
+                               .facts = {{"Why", why::first_line(why)}},
+                               .bounds = why::segments_of(why),
                                .command = "odeum why"};
-  for (const advise::Finding& finding : why.findings)
-    texts.facts.emplace_back(advise::name_of(finding.cause), finding.text);
-  if (const std::string next = advise::command_of(why, c, asked); !next.empty())
+  for (const why::Finding& finding : why.findings)
+    texts.facts.emplace_back(why::name_of(finding.cause), finding.text);
+  if (const std::string next = why::command_of(why, c, asked); !next.empty())
     texts.facts.emplace_back("Next", next);
   folder.write("why.csv", texts.bounds.csv());
   Entrant same;
@@ -82,14 +81,14 @@ int why_on(Session& session, const WhyOptions& options, const CLI::App& command)
   if (!has_setting(settings)) throw UsageError("why needs --step or --tol, or --rtol and --atol");
   const Entrant& entrant = find_entrant(c.entrants, c.id, options.solver);
   const Request request = make_request(settings, c.t0, c.end(), c.y0.size(), entrant.info);
-  const advise::Why why =
-      advise::why(c, entrant.info.id(), request,
-                  std::max(least * options.seconds, options.seconds - seconds_since(start)),
-                  cases::conditions_of(c));
+  const why::Why why =
+      why::why(c, entrant.info.id(), request,
+               std::max(least * options.seconds, options.seconds - seconds_since(start)),
+               cases::conditions_of(c));
   const advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
-  print(options.format == "json"  ? advise::json_of(why, c, asked).dump(2) + "\n"
-        : options.format == "csv" ? advise::segments_of(why).csv()
-                                  : advise::text_of(why, c, asked));
+  print(options.format == "json"  ? why::json_of(why, c, asked).dump(2) + "\n"
+        : options.format == "csv" ? why::segments_of(why).csv()
+                                  : why::text_of(why, c, asked));
   if (!options.out.empty()) write_files(options.out, c, why, asked);
   return success;
 }

@@ -5,13 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "odeum/advise/why_answer.hpp"
+#include "odeum/why/why_answer.hpp"
 
 namespace odeum::sweep {
 namespace {
 
 std::string setting_of(const Plan& plan) {
-  return plan.study ? plan.study->words : advise::setting_of(plan.request, *plan.base);
+  return plan.study ? plan.study->words : why::setting_of(plan.request, *plan.base);
 }
 
 constexpr std::array names{"least", "5 %", "median", "95 %", "greatest"};

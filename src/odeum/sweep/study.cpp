@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "odeum/advise/race.hpp"
-#include "odeum/advise/why_answer.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
 #include "odeum/studies/convergence/settings.hpp"
 #include "odeum/studies/precision/timing.hpp"
 #include "odeum/truth/computed_truth.hpp"
+#include "odeum/why/why_answer.hpp"
 
 namespace odeum::sweep {
 namespace {
@@ -98,7 +98,7 @@ MemberRow advice_for(Case& c, const StudyWishes& wishes) {
   }
   const advise::Candidate& winner = advice.candidates[advice.winner];
   row.solver = row.answer = winner.entrant->info.id();
-  row.detail = advise::setting_of(winner.found->request(), c);
+  row.detail = why::setting_of(winner.found->request(), c);
   row.values = {winner.times.min(), winner.found->error};
   row.evaluations = winner.found->counters().rhs_evaluations;
   return row;

@@ -9,10 +9,10 @@
 
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/kernel/explicit_rk.hpp"
+#include "odeum/measure/growth_meter.hpp"
 #include "odeum/proof/facts.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/solvers/enroll_method.hpp"
-#include "odeum/studies/stability/growth_meter.hpp"
 #include "odeum/studies/stability/raster_lanes.hpp"
 #include "odeum/studies/stability/stability.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "odeum/judge/stability_search.hpp"
-#include "odeum/studies/stability/growth_meter.hpp"
+#include "odeum/measure/growth_meter.hpp"
 
 namespace odeum::study::multistep_test {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "odeum/judge/stability_search.hpp"
+#include "odeum/measure/growth_meter.hpp"
 #include "odeum/studies/spectrum.hpp"
-#include "odeum/studies/stability/growth_meter.hpp"
 #include "odeum/studies/stability/stability.hpp"
 
 namespace odeum::study {
@@ -55,7 +55,7 @@ struct Plane {
 std::vector<Plane> planes() {
   std::vector<Plane> found;
   for (const std::string name : {"lambda", "oscillator", "undamped"}) {
-    const Case& c = case_with_plane(name);
+    const Case& c = measure::case_with_plane(name);
     found.push_back({&c, name != "lambda", c.probe()});
   }
   return found;
@@ -85,7 +85,8 @@ StableStep answer(const RayTask& task) {
   if (!task.rays->reason.empty()) return not_applicable(row, task.rays->reason);
   const bool oscillator = task.plane->oscillator;
   const Probe probe = task.plane->c->probe();
-  GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), oscillator, limit_length);
+  measure::GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), oscillator,
+                             measure::limit_length);
   row.status = to_string(Status::ok);
   for (const std::complex<double>& z : task.rays->eigenvalues) {
     const judge::LimitFound found = judge::find_limit([&](double x) {

@@ -9,7 +9,7 @@
 
 #include "odeum/core/glob.hpp"
 #include "odeum/judge/stability_search.hpp"
-#include "odeum/studies/stability/growth_meter.hpp"
+#include "odeum/measure/growth_meter.hpp"
 #include "odeum/studies/stability/raster_lanes.hpp"
 
 namespace odeum::study {
@@ -73,8 +73,8 @@ StabilityLimit limit_of(const Task& task) {
   row.axis = task.question->name;
   if (!task.unfit.empty()) return not_applicable(row, task.unfit);
   const Probe probe = task.c->probe();
-  GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), task.question->oscillator(),
-                    limit_length);
+  measure::GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()),
+                             task.question->oscillator(), measure::limit_length);
   std::string failure, failure_detail;
   const judge::LimitFound found = judge::find_limit([&](double x) {
     if (interrupted) throw Interrupted();
@@ -132,7 +132,7 @@ int fill_rows(StabilityRegion& region, bool mirrored, Fill&& fill) {
 }
 
 /// Point by point; `mirrored`: solves the rows of the upper half and copies them to the lower one.
-void map_region(GrowthMeter& meter, bool mirrored, StabilityRegion& region) {
+void map_region(measure::GrowthMeter& meter, bool mirrored, StabilityRegion& region) {
   int failures = 0;
   std::string status, detail;  // of the first failure
   const int rows = fill_rows(region, mirrored, [&](double second, float* row) {
@@ -187,8 +187,8 @@ StabilityRegion region_of(const Task& task, const Options& options) {
     map_region_in_lanes(runner, region);
   } else {
     const Probe probe = task.c->probe();
-    GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), question.oscillator(),
-                      region_length);
+    measure::GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()),
+                               question.oscillator(), measure::region_length);
     map_region(meter, !question.oscillator(), region);
   }
   return region;
@@ -199,7 +199,7 @@ std::vector<Task> select_tasks(const Options& options) {
   std::vector<Task> tasks;
   for (const Question& question : questions) {
     if (!plane.empty() && (plane == "oscillator") != question.oscillator()) continue;
-    const Case& c = case_with_plane(question.probe);
+    const Case& c = measure::case_with_plane(question.probe);
     const Probe probe = c.probe();
     for (const Entrant& entrant : probe.entrants) {
       if (!any_glob_matches(options.solvers, entrant.info.id())) continue;

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "odeum/advise/inquiry.hpp"
+#include "odeum/why/inquiry.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 const Run& farthest(const Inquiry& q) {
   // A fixed step goes past the end of a solution.
   const Run* best = q.adaptive() || q.others.empty() ? &q.run : &q.others.front();
@@ -220,4 +220,4 @@ void try_settings(Inquiry& q) {
     }
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

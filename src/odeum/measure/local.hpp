@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "odeum/advise/recording.hpp"
 #include "odeum/judge/growth.hpp"
+#include "odeum/measure/recording.hpp"
 
 /// What is measured of a problem and a solver at a state.
-namespace odeum::advise {
+namespace odeum::measure {
 
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -57,23 +57,9 @@ struct WrongEntry {
 };
 std::optional<WrongEntry> wrong_jacobian(const Case& c, double t, const std::vector<double>& y);
 
-/// A time at which the right-hand side along the solution is not smooth.
-struct Kink {
-  double t = 0;
-  std::size_t component = 0;
-  bool jump = false;  ///< of the value itself; else of its derivative
-  double size = 0;    ///< how far f is from a straight line over `width`, around t
-  double width = 0;
-  /// What it adds to the error of a step h over it.
-  double effect(double h) const { return size * h * (jump ? 1 : h / width); }
-};
-/// Searches between two states of a run: the irregular part of f that does not shrink as an
-/// interval around it does.
-std::optional<Kink> kink_between(const Case& c, const Moment& from, const Moment& to);
-
 /// For each component, the error of a single step of the solver from there over what the tolerance
 /// allows, against the same step in parts; empty where the solver can't take it.
 std::vector<double> step_error(const Case& c, const std::string& solver, const Moment& at,
                                const Tolerance& tolerance, Mode mode);
 
-}  // namespace odeum::advise
+}  // namespace odeum::measure

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "odeum/advise/why.hpp"
 #include "odeum/cases/set_problem.hpp"
 #include "odeum/formula/text_ode.hpp"
+#include "odeum/why/why.hpp"
 
 /// Runs that fail or crawl for causes that are known by how they were made.
 namespace odeum::tests {
@@ -18,10 +18,10 @@ struct MadeFailure {
   double step = 0;  ///< 0: by tolerance
   double relative = 1e-6;
   std::vector<double> absolute = {1e-9};
-  std::set<advise::Cause> causes;     ///< true by construction; each has to be said
-  std::set<advise::Cause> also = {};  ///< true besides, and may be said
-  double wrong_jacobian = 1;          ///< by which the entries are multiplied
-  std::vector<double> end = {};       ///< the solution at the end, computed apart; empty: unknown
+  std::set<why::Cause> causes;     ///< true by construction; each has to be said
+  std::set<why::Cause> also = {};  ///< true besides, and may be said
+  double wrong_jacobian = 1;       ///< by which the entries are multiplied
+  std::vector<double> end = {};    ///< the solution at the end, computed apart; empty: unknown
 };
 
 /// The case of a text, interpreted, without a truth.
@@ -64,10 +64,10 @@ inline Case made_case(const MadeFailure& made) {
   return c;
 }
 
-inline advise::Why why_of(const MadeFailure& made, const Case& c, const Request& request,
-                          double seconds) {
-  return advise::why(c, made.solver, request, seconds,
-                     cases::conditions_of(formula::read_problem(made.name, made.text)));
+inline why::Why why_of(const MadeFailure& made, const Case& c, const Request& request,
+                       double seconds) {
+  return why::why(c, made.solver, request, seconds,
+                  cases::conditions_of(formula::read_problem(made.name, made.text)));
 }
 
 inline Request made_request(const MadeFailure& made, const Case& c) {

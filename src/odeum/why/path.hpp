@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "odeum/advise/local.hpp"
 #include "odeum/cases/conditions.hpp"
+#include "odeum/measure/local.hpp"
+#include "odeum/why/kink.hpp"
 
 /// States between those that are known of a run, and where conditions of the equations change on
 /// the way.
-namespace odeum::advise {
+namespace odeum::why {
 
 /// The way of a run: cubics of Hermite between its states. The case and the run outlive it.
 class Path {
@@ -59,4 +60,4 @@ Changed kinks_of_conditions(const Case& c, const cases::Conditions& conditions,
 /// The state a time `by` later, along the slope.
 Moment ahead_of(const Case& c, const Moment& from, double by);
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

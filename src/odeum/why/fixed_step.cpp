@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/advise/inquiry.hpp"
+#include "odeum/why/inquiry.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 /// How large the run's own states became over those of the solution.
@@ -193,4 +193,4 @@ void look_at_fixed_step(Inquiry& q) {
                     rate, rate * step, times, 1 / ratio));
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

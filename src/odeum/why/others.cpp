@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
-#include "odeum/advise/inquiry.hpp"
 #include "odeum/judge/errors.hpp"
+#include "odeum/why/inquiry.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 /// Solvers that a run is compared with, from each family that runs to a tolerance, explicit and
@@ -278,4 +278,4 @@ void try_others(Inquiry& q) {
   if (q.trusted) q.find_sizes(*q.trusted);
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

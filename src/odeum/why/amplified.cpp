@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/advise/inquiry.hpp"
-#include "odeum/advise/path.hpp"
+#include "odeum/why/inquiry.hpp"
+#include "odeum/why/path.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 constexpr std::size_t intervals = 24, most_unknowns = 40;
@@ -122,4 +122,4 @@ void look_at_amplification(Inquiry& q) {
                     from, most, q.amplification));
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

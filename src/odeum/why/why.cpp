@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/advise/why.hpp"
+#include "odeum/why/why.hpp"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <cmath>
 #include <utility>
 
-#include "odeum/advise/inquiry.hpp"
 #include "odeum/core/clocks.hpp"
 #include "odeum/isolated/isolated_times.hpp"
+#include "odeum/why/inquiry.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 const char* name_of(Cause cause) {
   constexpr std::array names{
       "accuracy", "stability",      "kink",     "sliding", "pole",     "growth",        "singular",
@@ -189,4 +189,4 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   return q.why;
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

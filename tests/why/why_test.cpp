@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "advise/made_failures.hpp"
-#include "odeum/advise/why_answer.hpp"
+#include "odeum/why/why_answer.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
+#include "why/made_failures.hpp"
 
 namespace odeum::why_test {
 namespace {
@@ -25,13 +25,13 @@ constexpr double seconds = 300;
 std::string fault_of(const MadeFailure& made) {
   const Case c = tests::made_case(made);
   if (!c.entrants.find(made.solver)) return {};  // a build without that library
-  const advise::Why why = tests::why_of(made, c, tests::made_request(made, c), seconds);
-  std::set<advise::Cause> said;
-  for (const advise::Finding& finding : why.findings) said.insert(finding.cause);
+  const why::Why why = tests::why_of(made, c, tests::made_request(made, c), seconds);
+  std::set<why::Cause> said;
+  for (const why::Finding& finding : why.findings) said.insert(finding.cause);
   std::string fault;
-  for (const advise::Cause cause : made.causes)
+  for (const why::Cause cause : made.causes)
     if (!said.contains(cause)) fault += fmt::format("; {} is not said", name_of(cause));
-  for (const advise::Cause cause : said)
+  for (const why::Cause cause : said)
     if (!made.causes.contains(cause) && !made.also.contains(cause))
       fault += fmt::format("; {} is not so", name_of(cause));
   if (!fault.empty()) fault = made.name + fault + "\n" + text_of(why, c, {made.name, ""});
@@ -71,13 +71,13 @@ TEST(Why, TheRunThatItNamesIsBetter) {
     if (made.end.empty()) continue;
     const Case c = tests::made_case(made);
     if (!c.entrants.find(made.solver)) continue;
-    const advise::Why why = tests::why_of(made, c, tests::made_request(made, c), seconds);
+    const why::Why why = tests::why_of(made, c, tests::made_request(made, c), seconds);
     if (!why.better) {
       unnamed += !why.known_by.empty();
       continue;
     }
     ++named;
-    const advise::Other& other = why.others[*why.better];
+    const why::Other& other = why.others[*why.better];
     if (other.request.stops.back() < c.stops.back()) {
       EXPECT_TRUE(why.known_by.empty()) << made.name << " is known, and a shorter run is named";
       continue;

@@ -3,11 +3,11 @@
 #include <limits>
 #include <numbers>
 
-#include "odeum/advise/local.hpp"
 #include "odeum/cases/catalogue.hpp"
-#include "odeum/studies/stability/growth_meter.hpp"
+#include "odeum/measure/growth_meter.hpp"
+#include "odeum/measure/local.hpp"
 
-namespace odeum::advise {
+namespace odeum::measure {
 namespace {
 
 constexpr double first_distance = 1e-2, least_distance = 1e-5, last_distance = 1e3, ratio = 1.2,
@@ -28,7 +28,7 @@ Region::Region(const std::string& solver) : solver_(solver) {
 }
 
 judge::Growth Region::at(std::complex<double> z) const {
-  study::GrowthMeter meter(probe_, *entrant_, oscillator_, study::region_length);
+  GrowthMeter meter(probe_, *entrant_, oscillator_, region_length);
   // A solver of undamped oscillators ignores the second number.
   return oscillator_ ? meter.measure(std::abs(z), -z.real() / std::abs(z))
                      : meter.measure(z.real(), z.imag());
@@ -80,4 +80,4 @@ double Region::edge(std::complex<double> lambda) {
   return at->second;
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::measure

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "odeum/advise/why.hpp"
 #include "odeum/cases/set_problem.hpp"
+#include "odeum/why/why.hpp"
 
 namespace odeum::tests::failing_start_test {
 namespace {
@@ -29,8 +29,8 @@ TEST(FailingStart, IsExplained) {
   request.tolerance = Tolerance(1e-6, std::vector<double>{1e-6});
   request.stops = {1};
   for (const char* solver : {"odeum/rodas4", "odeum/dormand_prince54", "odeum/radau_iia5"}) {
-    advise::Why why;
-    ASSERT_NO_THROW(why = advise::why(c, solver, request, 2)) << solver;
+    why::Why why;
+    ASSERT_NO_THROW(why = why::why(c, solver, request, 2)) << solver;
     EXPECT_NE(why.outcome.status, Status::ok) << solver;
     EXPECT_EQ(why.reached, 0) << solver;
   }

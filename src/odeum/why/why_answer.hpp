@@ -4,11 +4,11 @@
 #include <string>
 
 #include "odeum/advise/answer.hpp"
-#include "odeum/advise/why.hpp"
 #include "odeum/record/csv.hpp"
+#include "odeum/why/why.hpp"
 
 /// What why() found, for people and for programs.
-namespace odeum::advise {
+namespace odeum::why {
 
 /// The options of `odeum run` and `odeum why` that make a request.
 std::string setting_of(const Request& request, const Case& c);
@@ -18,12 +18,12 @@ std::string setting_of(const Request& request, const Case& c);
 record::Records segments_of(const Why& why);
 
 /// The command of the better run; empty: there is none.
-std::string command_of(const Why& why, const Case& c, const Asked& asked);
+std::string command_of(const Why& why, const Case& c, const advise::Asked& asked);
 
 /// Lines; the first says the main cause, the last the next command.
-std::string text_of(const Why& why, const Case& c, const Asked& asked);
+std::string text_of(const Why& why, const Case& c, const advise::Asked& asked);
 
 /// With the keys `summary`, `status`, `causes`, `segments`, `others`, `command` and more.
-nlohmann::ordered_json json_of(const Why& why, const Case& c, const Asked& asked);
+nlohmann::ordered_json json_of(const Why& why, const Case& c, const advise::Asked& asked);
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

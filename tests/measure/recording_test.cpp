@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/advise/recording.hpp"
+#include "odeum/measure/recording.hpp"
 
 #include <gtest/gtest.h>
 
-#include "odeum/advise/local.hpp"
+#include "odeum/measure/local.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::recording_test {
@@ -48,15 +48,15 @@ TEST(Recording, TellsEveryStepAndChangesNone) {
 TEST(Recording, GivesTheStatesOfTheRunItself) {
   const Case& c = find_case("lotka_volterra");
   const Request request = adaptive_request(1e-5, {5});
-  const advise::Run run = advise::record(c, "odeum/dormand_prince54", request, 1000);
+  const measure::Run run = measure::record(c, "odeum/dormand_prince54", request, 1000);
   // With so many moments each step is one.
   ASSERT_EQ(run.moments.size(), run.steps() + 1);
   EXPECT_EQ(run.moments.back().y, run.outcome.states);
   EXPECT_EQ(run.trace.times.size(), run.outcome.counters.rhs_evaluations);
   for (std::size_t k = 0; k < run.steps(); ++k) {
     // A step of the method from one is the next: at a fixed step it takes no decision.
-    const advise::Moment &at = run.moments[k], &next = run.moments[k + 1];
-    const advise::Recording from(c, at.t, at.y);
+    const measure::Moment &at = run.moments[k], &next = run.moments[k + 1];
+    const measure::Recording from(c, at.t, at.y);
     const Outcome one =
         from.solver("odeum/dormand_prince54")->solve(tests::fixed_request(1, {at.t + at.h}));
     for (std::size_t i = 0; i < at.y.size(); ++i)
@@ -66,12 +66,12 @@ TEST(Recording, GivesTheStatesOfTheRunItself) {
 
 // Known limits: 2.785 and 2.828 of classical Runge-Kutta, 2 of explicit Euler and of Verlet.
 TEST(Region, HasTheKnownEdges) {
-  EXPECT_NEAR(advise::Region("odeum/rk4").edge(-1), 2.785, 0.02);
-  EXPECT_NEAR(advise::Region("odeum/rk4").edge({0, -50}), 2.828, 0.02);
-  EXPECT_NEAR(advise::Region("odeum/explicit_euler").edge(-3), 2, 0.02);
-  EXPECT_EQ(advise::Region("odeum/explicit_euler").edge({0, 1}), 0);
-  EXPECT_NEAR(advise::Region("odeum/velocity_verlet").edge({1e-12, 1}), 2, 0.02);
-  EXPECT_EQ(advise::Region("odeum/radau_iia5").edge({-1, 1}), infinity);
+  EXPECT_NEAR(measure::Region("odeum/rk4").edge(-1), 2.785, 0.02);
+  EXPECT_NEAR(measure::Region("odeum/rk4").edge({0, -50}), 2.828, 0.02);
+  EXPECT_NEAR(measure::Region("odeum/explicit_euler").edge(-3), 2, 0.02);
+  EXPECT_EQ(measure::Region("odeum/explicit_euler").edge({0, 1}), 0);
+  EXPECT_NEAR(measure::Region("odeum/velocity_verlet").edge({1e-12, 1}), 2, 0.02);
+  EXPECT_EQ(measure::Region("odeum/radau_iia5").edge({-1, 1}), infinity);
 }
 
 }  // namespace

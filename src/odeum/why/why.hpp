@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "odeum/advise/local.hpp"
-#include "odeum/advise/recording.hpp"
 #include "odeum/cases/conditions.hpp"
+#include "odeum/measure/local.hpp"
+#include "odeum/measure/recording.hpp"
+#include "odeum/why/kink.hpp"
 
 /// What a run spends its steps on, why it failed, and what does better: by this run, by measuring
 /// along it, and by other runs. Nothing is concluded from a name, a family or a tag.
-namespace odeum::advise {
+namespace odeum::why {
 
 enum class Cause {
   accuracy,        ///< the error test: a looser tolerance gives longer steps
@@ -92,4 +93,4 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
 /// The first line: what and how much of it.
 std::string first_line(const Why& why);
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/advise/why.hpp"
 #include "odeum/core/progress.hpp"
 #include "odeum/solvers/settings.hpp"
+#include "odeum/why/why.hpp"
 
 /// The parts of why(): each measures, and adds what it found.
-namespace odeum::advise {
+namespace odeum::why {
 
 /// A run whose end is off by more than this share of the solution's size is not an answer.
 inline constexpr double far_off = 0.02;
@@ -149,4 +149,4 @@ void look_for_leaving(Inquiry& q);
 /// Instability, energy and coarseness of a fixed step, by a solution that is trusted.
 void look_at_fixed_step(Inquiry& q);
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

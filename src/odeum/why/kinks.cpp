@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "odeum/advise/inquiry.hpp"
-#include "odeum/advise/path.hpp"
+#include "odeum/why/inquiry.hpp"
+#include "odeum/why/path.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 /// A smaller share of the evaluations is not worth a word.
@@ -260,4 +260,4 @@ void look_for_kinks(Inquiry& q) {
           others > 0 ? fmt::format(", as at {} other time{}", others, others > 1 ? "s" : "") : ""));
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <optional>
 
-#include "odeum/advise/inquiry.hpp"
-#include "odeum/advise/path.hpp"
+#include "odeum/why/inquiry.hpp"
+#include "odeum/why/path.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 /// The time from one change of the equations to the next.
@@ -207,4 +207,4 @@ void look_for_unseen(Inquiry& q) {
   }
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/advise/path.hpp"
+#include "odeum/why/path.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/advise/local.hpp"
+#include "odeum/measure/local.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 using cases::Conditions;
@@ -20,7 +20,7 @@ std::vector<double> conditions_at(const Conditions& all, double t, const std::ve
 }  // namespace
 
 Path::Path(const Case& c, const std::vector<Moment>& moments) : c_(c), moments_(moments) {
-  for (const Moment& at : moments) slopes_.push_back(advise::slope(c, at.t, at.y));
+  for (const Moment& at : moments) slopes_.push_back(measure::slope(c, at.t, at.y));
 }
 
 std::vector<double> Path::state(double t) const {
@@ -38,7 +38,7 @@ std::vector<double> Path::state(double t) const {
   return y;
 }
 
-std::vector<double> Path::slope(double t) const { return advise::slope(c_, t, state(t)); }
+std::vector<double> Path::slope(double t) const { return measure::slope(c_, t, state(t)); }
 
 std::vector<Change> changes_along(const Path& path, const Conditions& conditions,
                                   const std::vector<double>& times) {
@@ -115,4 +115,4 @@ bool holds_the_solution(const Case& c, const Conditions& conditions, double t,
   return rate(1) < 0 && rate(-1) > 0;
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

@@ -6,9 +6,9 @@
 #include <functional>
 #include <map>
 
-#include "odeum/advise/inquiry.hpp"
+#include "odeum/why/inquiry.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 /// Steps this much longer under a tolerance a hundred times as loose: a method of order 20
@@ -271,4 +271,4 @@ void share_out(Inquiry& q) {
   }
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

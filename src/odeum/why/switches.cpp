@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "odeum/advise/path.hpp"
+#include "odeum/why/path.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 /// How f bends around a change; nothing where it is smooth there, since the alternatives do not
@@ -92,4 +92,4 @@ Changed kinks_of_conditions(const Case& c, const cases::Conditions& conditions,
   return found;
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // long: a table of runs, one a few lines
-#include "advise/made_failures.hpp"
+#include "why/made_failures.hpp"
 
 namespace odeum::tests {
 
-using enum advise::Cause;
+using enum why::Cause;
 
 const std::vector<MadeFailure>& made_failures() {
   static const std::string robertson =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/advise/why_answer.hpp"
+#include "odeum/why/why_answer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 #include "odeum/record/table.hpp"
 #include "odeum/solvers/settings.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -120,7 +120,7 @@ std::string setting_of(const Request& request, const Case& c) {
   return text;
 }
 
-std::string command_of(const Why& why, const Case& c, const Asked& asked) {
+std::string command_of(const Why& why, const Case& c, const advise::Asked& asked) {
   if (!why.better) return {};
   const Other& other = why.others[*why.better];
   return fmt::format("odeum run {}{} --solver {} {}", asked.problem, asked.more, other.solver,
@@ -160,7 +160,7 @@ std::string first_line(const Why& why) {
   return text + compared(why);
 }
 
-std::string text_of(const Why& why, const Case& c, const Asked& asked) {
+std::string text_of(const Why& why, const Case& c, const advise::Asked& asked) {
   std::string text = first_line(why) + "\n";
   text += fmt::format("run            {} {}\n", why.solver, setting_of(why.request, c));
   text += fmt::format("status         {}{}{}\n", to_string(why.outcome.status),
@@ -199,7 +199,7 @@ std::string text_of(const Why& why, const Case& c, const Asked& asked) {
               : fmt::format("next           {}\n", command));
 }
 
-Json json_of(const Why& why, const Case& c, const Asked& asked) {
+Json json_of(const Why& why, const Case& c, const advise::Asked& asked) {
   const auto counters = [](Json& json, const Counters& of) {
     json["steps"] = of.steps;
     json["rejected_steps"] = of.rejected_steps;
@@ -248,4 +248,4 @@ Json json_of(const Why& why, const Case& c, const Asked& asked) {
   return json;
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/advise/recording.hpp"
+#include "odeum/measure/recording.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
 
-namespace odeum::advise {
+namespace odeum::measure {
 namespace {
 
 constexpr std::size_t most_times = 6'000'000;
@@ -185,4 +185,4 @@ Run record(const Case& c, const std::string& solver, const Request& request, std
   return run;
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::measure

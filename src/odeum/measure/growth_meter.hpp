@@ -7,7 +7,7 @@
 #include "odeum/judge/growth.hpp"
 #include "odeum/solvers/case.hpp"
 
-namespace odeum::study {
+namespace odeum::measure {
 
 /// The case that has a plane of this kind, see Probe.
 const Case& case_with_plane(const std::string& plane);
@@ -54,4 +54,4 @@ class GrowthMeter {
   std::string detail_;
 };
 
-}  // namespace odeum::study
+}  // namespace odeum::measure

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/advise/inquiry.hpp"
+#include "odeum/why/inquiry.hpp"
 
-namespace odeum::advise {
+namespace odeum::why {
 namespace {
 
 /// The time scale y_i / f_i at some of the last moments, where |y_i| is largest at the end.
@@ -266,4 +266,4 @@ void look_at_end(Inquiry& q, const Run& run) {
   if (!q.found(Cause::domain)) look_for_singular_slope(q, run);
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::why

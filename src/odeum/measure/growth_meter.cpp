@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/stability/growth_meter.hpp"
+#include "odeum/measure/growth_meter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "odeum/cases/catalogue.hpp"
 
-namespace odeum::study {
+namespace odeum::measure {
 namespace {
 
 constexpr std::uint64_t window = 16;    // states at the end of a run from which growth is measured
@@ -102,4 +102,4 @@ judge::Growth GrowthMeter::measure(double first, double second) {
   }
 }
 
-}  // namespace odeum::study
+}  // namespace odeum::measure

@@ -9,7 +9,7 @@
 #include "odeum/solvers/case.hpp"
 
 /// Runs whose evaluations are looked at: every solver is enrolled on a problem that notes them.
-namespace odeum::advise {
+namespace odeum::measure {
 
 /// An evaluation of the right-hand side that gave a value that is not finite.
 struct NotFinite {
@@ -78,4 +78,4 @@ struct Run {
 /// run of the same steps. Throws Interrupted.
 Run record(const Case& c, const std::string& solver, const Request& request, std::size_t most);
 
-}  // namespace odeum::advise
+}  // namespace odeum::measure

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/advise/local.hpp"
+#include "odeum/measure/local.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "odeum/problem/difference_jacobian.hpp"
 #include "odeum/problem/shared.hpp"
 
-namespace odeum::advise {
+namespace odeum::measure {
 namespace {
 
 using Vector = std::vector<double>;
@@ -131,4 +131,4 @@ Vector step_error(const Case& c, const std::string& solver, const Moment& at,
   return error;
 }
 
-}  // namespace odeum::advise
+}  // namespace odeum::measure
