@@ -100,13 +100,15 @@ inline Real step_factor(Real error, int order) {
 /// noise of f are not asked for errors below that noise.
 constexpr Real short_memory = 0.999L;
 
-/// What a start at zero comes to in h, at most 1. `f`: the slope at the start.
+/// What a start at zero comes to in h, at most 1, or the largest where that is known. `f`: the
+/// slope at the start.
 inline Real size_soon(const System& system, Real h, State y, State f) {
   const Real size = size_of(f);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = h * f[i];
   system.rhs(system.t0 + h, y.data(), f.data());
   const Real later = size_of(f);
-  return std::min(h * (std::isfinite(later) ? std::max(size, later) : size), 1.0L);
+  const Real most = system.along ? *std::ranges::max_element(system.along->largest) : 1;
+  return std::min(h * (std::isfinite(later) ? std::max(size, later) : size), most);
 }
 
 /// The measured cost of allocations, and of the inspector's intervals, in operations.
@@ -128,6 +130,12 @@ inline std::string words_of_vanishing(bool ends, Real t) {
                             "steps can be");
 }
 
+/// Raises what is smaller, but no zero, which has no sign.
+inline void hold(const State& at_least, State& y) {
+  for (std::size_t i = 0; i < y.size(); ++i)
+    if (y[i] != 0) y[i] = std::copysign(std::max(std::abs(y[i]), at_least[i]), y[i]);
+}
+
 /// Steps through the times with `step(t, h, y, sizes) -> Trial`, whose error is of order `order` in
 /// h and relative to the tolerance.
 template <class Step>
@@ -144,9 +152,14 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   // The slope tells the size of a start at zero, for one step.
   if (measured.none_yet()) measured.expect(size_soon(system, span * 0x1p-20L, y, f));
   const Real slope = largest_ratio(f, sizes);
-  Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / effort.parts);
+  // A slope may be far larger than what the solution comes to, and no step is below the rounding
+  // of t: the step is tried.
+  Real h = std::min(std::max(slope > 0 ? 1e-3L / slope : span,
+                             64 * std::numeric_limits<Real>::epsilon() * std::abs(t)),
+                    span / effort.parts);
   Watch watch{.span = span,
-              .insight = effort.inspect && system.insight ? system.insight(span) : nullptr};
+              .insight = effort.inspect && system.insight ? system.insight(span) : nullptr,
+              .changes_only = effort.watched != nullptr};
   Ending ending;
   Disturbance disturbance;
   const double overhead = overhead_of_step(system, y.size(), watch.insight != nullptr);
@@ -179,6 +192,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
       ending.add(t, y);
       y = std::move(trial.y);
       if (effort.disturb) disturbance.move(y);
+      if (effort.at_least) hold(*effort.at_least, y);
       measured.update(y);
       if (effort.watched) effort.watched->take(y);
       t = last ? time : t + used;
