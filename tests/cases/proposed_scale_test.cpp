@@ -177,12 +177,12 @@ TEST(ProposedScale, HoldsFromASlopeThatIsSteepInItsUnits) {
   EXPECT_EQ(c.units.scale, (Scale{2e24, 3e21}));
   std::vector<double> y(2);
   ASSERT_TRUE(c.truth.at(5e-9, y.data()));
-  // By SciPy's DOP853 at a relative 1e-13.
+  // SciPy's DOP853 gives these at a relative 1e-13.
   EXPECT_NEAR(y[0], 1.98928741823343e24, 1e11);
   EXPECT_NEAR(y[1], 1.23405676838916e21, 1e10);
 }
 
-// To one digit 110 is 100, which was taken for near enough to 1.
+// A size of 110 is 100 to one digit, which was taken for near enough to 1.
 TEST(ProposedScale, BeginsBeyondAHundred) {
   const auto scale_of = [](const std::string& start) {
     return of_text("states: {x: " + start + "}\nequations: {x: -x}\ntime: {end: 2}\n").units.scale;

@@ -228,10 +228,9 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
   void look_along() {
     require_code();
     along_ = along_of(ode_);
-    if (!along_) return;
-    if (along_->slides_from < problem_.stops.back())
+    if (along_ && along_->slides_from < problem_.stops.back())
       case_.entrants = enroll(case_.problem, bound_by_sliding(along_->slides_from));
-    if (problem_.scale.empty() && !has("thresholds"))
+    if (along_ && problem_.scale.empty() && !has("thresholds"))
       take_units(case_, proposed_units(*along_), problem_.tolerance.relative == 0);
   }
 

@@ -21,7 +21,7 @@ template <Ode P>
 class InnerKinks {
  public:
   void begin() { count_ = 0; }
-  /// An evaluation of n components from index `first` on, of `size`; nothing is said of the others.
+  /// Keeps an evaluation of n components from index `first` on, among `size`.
   void note(double t, const double* values, std::size_t n, std::size_t first, std::size_t size) {
     if (count_ == samples_.size()) samples_.emplace_back();
     Sample& sample = samples_[count_++];
@@ -57,7 +57,8 @@ class InnerKinks {
     return found;
   }
 
-  /// By time; of evaluations at nearly the same one the last is the most accurate.
+  /// Sorts the samples by time; among evaluations at nearly the same time the last is the most
+  /// accurate.
   void sort(double h) {
     const auto end = samples_.begin() + static_cast<std::ptrdiff_t>(count_);
     std::stable_sort(samples_.begin(), end,
@@ -76,7 +77,7 @@ class InnerKinks {
     return (samples_[k + 1].f[i] - samples_[k].f[i]) / gap(k);
   }
 
-  /// What component i may be off by, with the sign of the jump; 0: nothing stands out.
+  /// The error that component i may have, with the sign of the jump; 0: nothing stands out.
   double off_by(std::size_t i) const {
     constexpr double stands_out = 5;
     double off = 0;

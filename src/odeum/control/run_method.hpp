@@ -49,8 +49,8 @@ constexpr bool leaves_out_ends() {
   return !ChoosesItsOwnSteps<M> && M::info.order_embedded == 0;
 }
 
-/// Whether its estimate of the error gives a jump or a kink inside of a step little or no weight,
-/// as a method says of itself: see InnerKinks.
+/// Whether the estimate of M's error gives a jump or a kink inside of a step little or no weight,
+/// as the method says of itself: see InnerKinks.
 template <class M>
 constexpr bool misses_kinks() {
   if constexpr (requires { M::misses_kinks; }) return M::misses_kinks;

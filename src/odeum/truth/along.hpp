@@ -32,7 +32,7 @@ class Watched {
   void mark() { marks_.push_back(all_); }
   /// The sizes up to a mark.
   Along at(std::size_t mark) const;
-  /// Of a component with a dip: the first mark after it has risen.
+  /// The first mark after a component with a dip has risen.
   std::size_t risen_before(std::size_t component) const { return all_[component].risen_before; }
 
  private:

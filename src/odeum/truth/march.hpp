@@ -130,7 +130,7 @@ inline std::string words_of_vanishing(bool ends, Real t) {
                             "steps can be");
 }
 
-/// Raises what is smaller, but no zero, which has no sign.
+/// Raises smaller components, but no zero, which has no sign.
 inline void hold(const State& at_least, State& y) {
   for (std::size_t i = 0; i < y.size(); ++i)
     if (y[i] != 0) y[i] = std::copysign(std::max(std::abs(y[i]), at_least[i]), y[i]);

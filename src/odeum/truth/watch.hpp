@@ -80,7 +80,7 @@ std::optional<std::pair<Real, State>> locate_change(const System& system, Real t
 struct Watch {
   Real span = 1;  ///< of the whole run
   std::unique_ptr<Insight> insight;
-  bool changes_only = false;  ///< what samples may have missed is let pass
+  bool changes_only = false;  ///< pulses that samples may have missed are let pass
   Real part = 1;              ///< of a step that does not pass, which is to be tried next
   int shortest = 0;           ///< steps that were hardly longer than is looked into
 
