@@ -130,10 +130,19 @@ inline std::string words_of_vanishing(bool ends, Real t) {
                             "steps can be");
 }
 
-/// Raises smaller components, but no zero, which has no sign.
-inline void hold(const State& at_least, State& y) {
-  for (std::size_t i = 0; i < y.size(); ++i)
-    if (y[i] != 0) y[i] = std::copysign(std::max(std::abs(y[i]), at_least[i]), y[i]);
+/// A slope may be far larger than what the solution comes to, and no step is below the rounding of
+/// t: such a step is tried.
+inline Real first_step(Real slope, Real t, Real span, Real parts) {
+  const Real shortest = 64 * std::numeric_limits<Real>::epsilon() * std::abs(t);
+  return std::min(std::max(slope > 0 ? 1e-3L / slope : span, shortest), span / parts);
+}
+
+/// Disturbs a state, and raises smaller components than are asked for, but no zero, which has no
+/// sign.
+inline void alter(const Effort& effort, Disturbance& disturbance, State& y) {
+  if (effort.disturb) disturbance.move(y);
+  for (std::size_t i = 0; effort.at_least && i < y.size(); ++i)
+    if (y[i] != 0) y[i] = std::copysign(std::max(std::abs(y[i]), (*effort.at_least)[i]), y[i]);
 }
 
 /// Steps through the times with `step(t, h, y, sizes) -> Trial`, whose error is of order `order` in
@@ -151,12 +160,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   const Real span = effort.span > 0 ? effort.span : times.back() - t;
   // The slope tells the size of a start at zero, for one step.
   if (measured.none_yet()) measured.expect(size_soon(system, span * 0x1p-20L, y, f));
-  const Real slope = largest_ratio(f, sizes);
-  // A slope may be far larger than what the solution comes to, and no step is below the rounding
-  // of t: the step is tried.
-  Real h = std::min(std::max(slope > 0 ? 1e-3L / slope : span,
-                             64 * std::numeric_limits<Real>::epsilon() * std::abs(t)),
-                    span / effort.parts);
+  Real h = first_step(largest_ratio(f, sizes), t, span, effort.parts);
   Watch watch{.span = span,
               .insight = effort.inspect && system.insight ? system.insight(span) : nullptr,
               .changes_only = effort.watched != nullptr};
@@ -191,8 +195,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
       }
       ending.add(t, y);
       y = std::move(trial.y);
-      if (effort.disturb) disturbance.move(y);
-      if (effort.at_least) hold(*effort.at_least, y);
+      alter(effort, disturbance, y);
       measured.update(y);
       if (effort.watched) effort.watched->take(y);
       t = last ? time : t + used;
