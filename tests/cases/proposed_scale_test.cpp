@@ -146,6 +146,51 @@ TEST(ProposedScale, NamesAStateThatFallsAndRises) {
     EXPECT_TRUE(of_text(other).units.relative_from.empty()) << other;
 }
 
+// Values of 6e-246 and 1e-183, which no later one depends on, made tolerances relative to them:
+// runs of 15,362 and 52,893 steps, and truths "known to 1.8e+228 up to t = 6.25".
+TEST(ProposedScale, ForgetsADipFromWhichASourceLifts) {
+  const Case rectifier =
+      of_text("states: {v: 0}\nequations: {v: \"1e4*(max(sin(t), 0) - v)\"}\ntime: {end: 8}\n");
+  EXPECT_TRUE(rectifier.units.relative_from.empty());
+  double v = 0;
+  ASSERT_TRUE(rectifier.truth.at(8, &v));
+  EXPECT_NEAR(v, (1e8 * std::sin(8) - 1e4 * std::cos(8)) / (1e8 + 1), 1e-12);
+  EXPECT_LT(rectifier.truth.floor, 1e-10);
+  const std::string ozone =
+      "parameters: {q1: 1.63e-16, q2: 4.66e-16, O2: 3.7e16, w: pi/43200}\n"
+      "definitions: {s: sin(w*t), q3: \"if(s > 0, exp(-22.62/s), 0)\","
+      " q4: \"if(s > 0, exp(-7.601/s), 0)\"}\nstates: {O: 1e6, O3: 1e12}\n"
+      "equations: {O: -q1*O*O2 - q2*O*O3 + 2*q3*O2 + q4*O3, O3: q1*O*O2 - q2*O*O3 - q4*O3}\n"
+      "time: {end: 172800}\n";
+  const Case c = case_before_truth(cases::text_statements("ozone.yaml", ozone, "ozone").front());
+  EXPECT_EQ(c.units.scale, (Scale{9e7, 1e12}));
+  EXPECT_TRUE(c.units.relative_from.empty());
+}
+
+// A laser diode in SI units, which is switched on: the first step was below the rounding of t.
+TEST(ProposedScale, HoldsFromASlopeThatIsSteepInItsUnits) {
+  const Case c = of_text(
+      "parameters: {q: 1.602176634e-19, V: 9e-17, tn: 3e-9, tp: 1e-12, g0: 3e-12, N0: 1.2e24}\n"
+      "definitions: {I: \"if(t < 1e-10, 0, 0.05)\", gain: g0*(N - N0)*S/(1 + 3.4e-23*S)}\n"
+      "states: {N: 0, S: 0}\nequations: {N: I/(q*V) - N/tn - gain, "
+      "S: 0.44*gain - S/tp + 0.44*4e-4*N/tn}\ntime: {end: 5e-9}\n");
+  EXPECT_EQ(c.units.scale, (Scale{2e24, 3e21}));
+  std::vector<double> y(2);
+  ASSERT_TRUE(c.truth.at(5e-9, y.data()));
+  // SciPy's DOP853 gives these at a relative 1e-13.
+  EXPECT_NEAR(y[0], 1.98928741823343e24, 1e11);
+  EXPECT_NEAR(y[1], 1.23405676838916e21, 1e10);
+}
+
+// A size of 110 is 100 to one digit, which was taken for near enough to 1.
+TEST(ProposedScale, BeginsBeyondAHundred) {
+  const auto scale_of = [](const std::string& start) {
+    return of_text("states: {x: " + start + "}\nequations: {x: -x}\ntime: {end: 2}\n").units.scale;
+  };
+  EXPECT_EQ(scale_of("110"), Scale{100});
+  EXPECT_TRUE(scale_of("99").empty());
+}
+
 // x - y is 0, to rounding: such a state has no size of its own.
 TEST(ProposedScale, KnowsRoundingFromATraceSpecies) {
   const Case c = of_text(

@@ -38,17 +38,11 @@ std::map<std::string, End> read_ends() {
   return ends;
 }
 
-/// Methods that are left out, since they end ok and off across a jump. Lost runs of
-/// scripts/switches: fehlberg78 33 of 111, seulex and rock4 18, cash_karp54_order3 17,
-/// dormand_nystroem64 8 of 9 and dormand_nystroem86 2 of 9; those of cash_karp54_order4 were not
-/// counted.
-const std::set<std::string> blind{"seulex",
-                                  "fehlberg78",
-                                  "cash_karp54_order3",
-                                  "cash_karp54_order4",
-                                  "dormand_nystroem64",
-                                  "dormand_nystroem86",
-                                  "rock4"};
+/// Methods that are left out, since they end ok and off across a jump or a kink: the estimate of
+/// fehlberg78 is zero where f depends on t alone, the table of seulex has no node after the last
+/// substep, and f at the inner stages of rock4 is far off the solution. Lost runs of
+/// scripts/switches: fehlberg78 67 of 215, rock4 40, seulex 35.
+const std::set<std::string> blind{"seulex", "fehlberg78", "rock4"};
 
 class SwitchCampaign : public testing::TestWithParam<const char*> {};
 

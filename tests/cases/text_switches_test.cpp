@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/set_problem.hpp"
+#include "odeum/cases/text_case.hpp"
 #include "odeum/cases/text_switches.hpp"
 #include "odeum/formula/text_ode.hpp"
 
@@ -171,6 +173,22 @@ TEST(TextSwitches, AProblemWithoutTimesHasNone) {
   const formula::Problem problem = formula::read_problem(
       "state.yaml", "states: {x: 1}\nequations: {x: \"if(x > 0.5, -x, 1)\"}\ntime: {end: 1}\n");
   EXPECT_FALSE(cases::switches_of(problem));
+}
+
+// Crossing v = 0 again and again, a tolerance apart, rodas4 took 2e9 evaluations.
+TEST(TextSwitches, ARunThatSlidesEndsSoonAndSaysWhy) {
+  const Case c = case_of(cases::text_statements("coulomb.yaml",
+                                                "states: {v: 10}\nequations: {v: -2.94*sign(v)}\n"
+                                                "time: {end: 10}\n",
+                                                "coulomb", {})
+                             .front());
+  const Outcome outcome = c.entrants.find("odeum/rodas4")->solve(to_a_tolerance(1e-8, {10}));
+  EXPECT_EQ(outcome.status, Status::over_budget);
+  EXPECT_LT(outcome.counters.rhs_evaluations, 6'000'000U);
+  EXPECT_NE(outcome.detail.find("(sliding), from t = 3.4013605"), std::string::npos)
+      << outcome.detail;
+  // Before that time it is bounded by nothing.
+  EXPECT_EQ(c.entrants.find("odeum/rodas4")->solve(to_a_tolerance(1e-8, {3})).status, Status::ok);
 }
 
 }  // namespace

@@ -126,6 +126,10 @@ TEST(Conditions, MistakesNameTheirCause) {
   expect("if(x => 0, 1, 2)", "expected < <= > >= == or !=");
   expect("x and 1", "and outside of a condition");
   expect("x && 1", "outside of a condition");
+  expect("not and x", "not outside of a condition");
+  expect("not (x > 0)", "not outside of a condition");
+  expect("if(not and x > 0, 1, 2)", "got and, expected a comparison there");
+  expect("if(x > 0 or or x < 2, 1, 2)", "got or, expected a comparison there");
   expect("1 - x % 2", "expected mod(a, b)");
   expect("\"x > 0 ? 1 : 2\"", "if(condition, a, b)");
   expect("2*pow(x, 2)", "expected x^y");

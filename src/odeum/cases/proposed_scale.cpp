@@ -37,8 +37,9 @@ ErrorUnits proposed_units(const truth::Along& along) {
     for (double& dip : units.relative_from)
       if (dip > 0) dip = rounded(dip);
   }
-  if (std::ranges::all_of(units.scale, is_near_one))
-    units.scale.assign(falls ? units.scale.size() : 0, 1);
+  if (!falls && std::ranges::all_of(along.largest,
+                                    [](double size) { return size == 0 || is_near_one(size); }))
+    units.scale.clear();
   return units;
 }
 

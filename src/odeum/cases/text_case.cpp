@@ -54,7 +54,11 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
 
  private:
   void complete(Case& c) {
-    if (waits_for_truth_) compute_truth(c);
+    if (waits_for_truth_) {
+      truth_ = truth_of(ode_, c.units, along_);
+      take_truth(c);
+      cut_stops(c, truth_.stops);
+    }
     if (!truth_.words.empty()) hold_invariants(c);
     if (!file_.folder.empty()) prove(ode_ ? ode_->problem() : problem_, *analysis_, c, truth_);
     choose_settings(c);
@@ -224,14 +228,10 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
   void look_along() {
     require_code();
     along_ = along_of(ode_);
+    if (along_ && along_->slides_from < problem_.stops.back())
+      case_.entrants = enroll(case_.problem, bound_by_sliding(along_->slides_from));
     if (along_ && problem_.scale.empty() && !has("thresholds"))
       take_units(case_, proposed_units(*along_), problem_.tolerance.relative == 0);
-  }
-
-  void compute_truth(Case& c) {
-    truth_ = truth_of(ode_, c.units, along_);
-    take_truth(c);
-    cut_stops(c, truth_.stops);
   }
 
   /// Leaves those that `invariants` names.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cases/text_switches.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -45,6 +47,28 @@ std::function<std::vector<Switch>(double from, double to)> switches_of(
     if (at == known->by_end.end())
       at = known->by_end.emplace(to, switches_of(known->problem, to)).first;
     return from_time(at->second, from);
+  };
+}
+
+Entrants::Finish bound_by_sliding(double slides_from) {
+  return [slides_from](Entrant& entrant) {
+    entrant.solve = [slides_from, solve = std::move(entrant.solve)](const Request& request) {
+      constexpr std::uint64_t most = 5'000'000;
+      if (request.mode == Mode::fixed || !(request.stops.back() > slides_from) ||
+          request.budget.evaluations <= most)
+        return solve(request);
+      Request bounded = request;
+      bounded.budget.evaluations = most;
+      bounded.budget.seconds = std::min(bounded.budget.seconds, 2.0);
+      Outcome outcome = solve(bounded);
+      if (outcome.status == Status::over_budget)
+        outcome.detail += fmt::format(
+            "; the solution stays where a condition changes (sliding), from t = {:.9g} on, and "
+            "steps "
+            "cross it again and again",
+            slides_from);
+      return outcome;
+    };
   };
 }
 

@@ -5,6 +5,7 @@
 
 #include "odeum/formula/problem.hpp"
 #include "odeum/problem/piece.hpp"
+#include "odeum/solvers/entrants.hpp"
 
 namespace odeum::cases {
 
@@ -18,5 +19,10 @@ std::function<std::vector<Switch>(double from, double to)> switches_of(
 
 /// The switches at or after `from`.
 std::vector<Switch> from_time(std::vector<Switch> switches, double from);
+
+/// Bounds the runs of a solution that stays where a condition changes. A run to a tolerance beyond
+/// that time crosses the condition again and again, a tolerance apart, and makes no way. It ends
+/// after five million evaluations or two seconds, and says why.
+Entrants::Finish bound_by_sliding(double slides_from);
 
 }  // namespace odeum::cases

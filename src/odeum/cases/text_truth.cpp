@@ -125,9 +125,13 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
     return true;
   };
   result.truth.source = "computed from " + what + " by " + reference->methods;
-  result.words = fmt::format("computed by {}, which agree to {:.1e}; known to {:.1e}",
-                             reference->methods, reference->disagreement, result.truth.floor);
-  if (!reference->end.empty())
+  if (reference->times.empty())
+    result.words = fmt::format("none is known, at no time after the start: of {}, {}",
+                               reference->methods, reference->end);
+  else
+    result.words = fmt::format("computed by {}, which agree to {:.1e}; known to {:.1e}",
+                               reference->methods, reference->disagreement, result.truth.floor);
+  if (!reference->times.empty() && !reference->end.empty())
     result.words += fmt::format(" up to t = {:.6g}, and no verdict is given beyond: {}",
                                 result.known_until, reference->end);
   if (std::isfinite(reference->ends_at))

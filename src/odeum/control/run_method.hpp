@@ -49,6 +49,14 @@ constexpr bool leaves_out_ends() {
   return !ChoosesItsOwnSteps<M> && M::info.order_embedded == 0;
 }
 
+/// Whether the estimate of M's error gives a jump or a kink inside of a step little or no weight,
+/// as the method says of itself: see InnerKinks.
+template <class M>
+constexpr bool misses_kinks() {
+  if constexpr (requires { M::misses_kinks; }) return M::misses_kinks;
+  return false;
+}
+
 namespace detail {
 /// The trial steps of M: its own, those of an embedded pair, else step doubling.
 template <class M, Ode P>
@@ -89,7 +97,7 @@ class TrialInRange {
   using Watched = InRange<P>;
   struct Held {
     Held(const P& problem, double t0, const State<P>& y0, double end, const Tolerance& tolerance)
-        : range(problem),
+        : range(problem, misses_kinks<M>()),
           watched(problem, range),
           steps(trial_steps_alone<M>(watched, t0, y0, end, tolerance)) {}
     SlopeRange<P> range;
@@ -106,7 +114,7 @@ class TrialInRange {
 template <class M, Ode P>
 auto trial_steps_of(const P& problem, double t0, const State<P>& y0, double end,
                     const Tolerance& tolerance) {
-  if constexpr (leaves_out_ends<M>()) {
+  if constexpr (leaves_out_ends<M>() || misses_kinks<M>()) {
     using Trial = detail::TrialInRange<M, P>;
     Trial trial(problem, t0, y0, end, tolerance);
     const double first_step = trial.first_step();

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "odeum/control/inner_kinks.hpp"
 #include "odeum/core/guarded.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
 #include "odeum/problem/concepts.hpp"
@@ -21,8 +22,10 @@ namespace odeum {
 template <Ode P>
 class SlopeRange {
  public:
-  explicit SlopeRange(const P& problem)
+  /// `looks_inside`: for jumps and kinks between the evaluations, too, see InnerKinks.
+  SlopeRange(const P& problem, bool looks_inside)
       : problem_(problem),
+        looks_inside_(looks_inside),
         low_(make_state(problem)),
         high_(low_),
         f_(low_),
@@ -34,6 +37,7 @@ class SlopeRange {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     for (double& each : low_) each = infinite;
     for (double& each : high_) each = -infinite;
+    inner_.begin();
   }
   /// After a trial step of h from (t, y) to y_new that is about to be accepted. `damp(x)`: what the
   /// method makes of a change of h f by x, since f multiplies the errors of stiff components.
@@ -41,20 +45,25 @@ class SlopeRange {
   bool has_ends(double t, double h, const State<P>& y, const State<P>& y_new,
                 const ErrorScale<State<P>>& scale, Damp&& damp) {
     if (!(t == t_ && y == y_)) problem_.rhs(t, y.data(), f_.data());
+    note(t);
     if (!has(h, y, scale, damp)) return false;
     problem_.rhs(t + h, y_new.data(), f_.data());
+    note(t + h);
     t_ = t + h;
     y_ = y_new;
-    if (has(h, y_new, scale, damp)) return true;
+    if (has(h, y_new, scale, damp) && !(looks_inside_ && inner_.matters(h, y_new, scale, damp)))
+      return true;
     t_ = std::numeric_limits<double>::quiet_NaN();
     return false;
   }
 
   // The watch of Guarded.
   template <class Size, class Call>
-  int evaluate(double, const double* values, Size&& size, bool second_half, Call&& call, int = 1) {
+  int evaluate(double t, const double* values, Size&& size, bool second_half, Call&& call,
+               int = 1) {
     call();
     const std::size_t n = size(), first = second_half ? n : 0;
+    if (looks_inside_) inner_.note(t, values, n, first, f_.size());
     for (std::size_t i = 0; i < n; ++i) {
       low_[first + i] = std::min(low_[first + i], values[i]);
       high_[first + i] = std::max(high_[first + i], values[i]);
@@ -69,6 +78,9 @@ class SlopeRange {
   }
 
  private:
+  void note(double t) {
+    if (looks_inside_) inner_.note(t, f_.data(), f_.size(), 0, f_.size());
+  }
   /// Whether f_ is in the range, or near enough to it not to matter: what lies between an end and
   /// a stage is at most half of the step.
   template <class Damp>
@@ -91,6 +103,8 @@ class SlopeRange {
   }
 
   const P& problem_;
+  bool looks_inside_;
+  InnerKinks<P> inner_;
   State<P> low_, high_, f_, y_, beyond_;
   double t_ = std::numeric_limits<double>::quiet_NaN();  ///< of f_ and y_
 };

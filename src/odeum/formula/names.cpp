@@ -63,6 +63,10 @@ std::string_view known_as(std::string_view name) {
   return found == all.end() ? std::string_view() : found->second;
 }
 
+bool is_word_of_conditions(std::string_view name) {
+  return name == "and" || name == "or" || name == "not";
+}
+
 std::string fault_of_name(std::string_view name) {
   if (name.empty() || !begins_name(name[0]) || !std::ranges::all_of(name, continues_name)) {
     const std::string_view bare = name.substr(0, name.find_last_not_of('\'') + 1);
@@ -74,8 +78,7 @@ std::string fault_of_name(std::string_view name) {
   }
   if (name.size() > 60)
     return fmt::format("a long name; got {} characters, expected 60 at most", name.size());
-  const bool is_word = name == "and" || name == "or" || name == "not",
-             is_function = functions().contains(name);
+  const bool is_word = is_word_of_conditions(name), is_function = functions().contains(name);
   if (is_word || is_function || name == "t" || name == "pi" || name == "e")
     return fmt::format("a name that is taken; got {}, which is {}, expected another", name,
                        name == "t"   ? "the time"

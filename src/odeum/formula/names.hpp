@@ -24,5 +24,7 @@ std::string_view known_as(std::string_view name);
 /// A name that a file may give: letters, digits and _, not the name of a function, of a constant or
 /// of t. Returns what is wrong with it; empty: nothing.
 std::string fault_of_name(std::string_view name);
+/// Whether it joins conditions.
+bool is_word_of_conditions(std::string_view name);
 
 }  // namespace odeum::formula

@@ -121,6 +121,10 @@ Id Parser::named() {
   while (at_ < text_.size() && continues_name(text_[at_])) ++at_;
   take_primes();
   const std::string_view name = text_.substr(where, at_ - where);
+  if (is_word_of_conditions(name) && in_condition_)
+    fail(where, "a word out of place; got {}, expected a comparison there", name);
+  if (is_word_of_conditions(name))
+    fail(where, "{} outside of a condition; got it, expected it in if(condition, a, b)", name);
   const char next = peek();
   if (next == '(') return name == "sum" ? sum_over(where) : call(where, name);
   if (next == '[') return element(where, name);

@@ -11,6 +11,7 @@ inline constexpr Tableau<6> cash_karp54_order3_tableau =
 static_assert(proven<cash_karp54_order3_tableau>());
 
 struct cash_karp54_order3 : ForAnyProblem, ExplicitRungeKuttaMethod<cash_karp54_order3_tableau> {
+  static constexpr bool misses_kinks = true;
   static constexpr MethodInfo info =
       described({.id = "cash_karp54_order3",
                  .source = "Cash, Karp, ACM TOMS 16 (1990) 201-222, table in section 2"});

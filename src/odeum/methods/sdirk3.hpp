@@ -19,6 +19,7 @@ inline constexpr Tableau<3> sdirk3_tableau{
 static_assert(proven<sdirk3_tableau>());
 
 struct sdirk3 : ForAnyProblem, DiagonallyImplicitMethod<sdirk3_tableau> {
+  static constexpr bool misses_kinks = true;
   static constexpr MethodInfo info = described(
       {.id = "sdirk3", .source = "Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021, theorem 5"});
 };

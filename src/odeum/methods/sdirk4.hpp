@@ -20,6 +20,7 @@ static_assert(proven<sdirk4_tableau>());
 
 struct sdirk4 : ForAnyProblem, DiagonallyImplicitMethod<sdirk4_tableau> {
   static constexpr bool leaves_out_ends = true;
+  static constexpr bool misses_kinks = true;
   static constexpr MethodInfo info =
       described({.id = "sdirk4",
                  .control = Control::predictive,

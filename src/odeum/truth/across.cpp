@@ -123,6 +123,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
                               mode ? "conditions change ever faster at"
                                    : "the solution stays where a condition changes (sliding), from",
                               system.origin + t);
+      if (!mode) whole.slides_from = system.origin + t;
       return whole;
     }
     if (before) {

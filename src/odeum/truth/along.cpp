@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -20,24 +21,30 @@ constexpr Real least_start = 1e-12L;
 struct Look {
   Method method = verner_run;
   Real least_part = 0;  ///< see Effort: small components have no size but their own
+  Real tolerance = 0, parts = 0;
   Watched seen{0};
-  std::size_t reached = 0;  ///< times
-  bool ends = false;        ///< the solution does, there
+  bool ends = false;               ///< the solution does, there
+  std::vector<State> states = {};  ///< at the times that it reached
+  double slides_from = std::numeric_limits<double>::infinity();
+  std::size_t reached() const { return states.size(); }
 };
 
+/// `at_least`: see Effort.
 Look look_by(const Look& how, const System& system, const std::vector<Real>& times, Real tolerance,
-             Real parts) {
+             Real parts, const State* at_least = nullptr) {
   // The budget in operations: some tenths of a second.
   const double budget = how.method == verner_run ? 3e7 : 1e8;
-  Look look{how.method, how.least_part, Watched(system.states)};
+  Look look{how.method, how.least_part, tolerance, parts, Watched(system.states)};
   const Effort effort{.tolerance = tolerance,
                       .budget = budget,
                       .parts = parts,
                       .watched = &look.seen,
-                      .least_part = how.least_part};
-  const Run run = run_across(how.method, system, times, effort, false);
-  look.reached = run.states.size();
+                      .least_part = how.least_part,
+                      .at_least = at_least};
+  Run run = run_across(how.method, system, times, effort, false);
+  look.states = std::move(run.states);
   look.ends = std::isfinite(run.ends_at);
+  look.slides_from = static_cast<double>(run.slides_from);
   return look;
 }
 
@@ -47,9 +54,9 @@ Look farthest(const System& system, const std::vector<Real>& times, Real toleran
   Look best = look_by({}, system, times, tolerance, parts);
   if (!system.has_jacobian()) return best;
   for (const Real least_part : {0.L, 1e-6L}) {
-    if (best.reached == times.size()) break;
+    if (best.reached() == times.size()) break;
     Look implicit = look_by({radau_run, least_part}, system, times, tolerance, parts);
-    if (implicit.reached > best.reached) best = std::move(implicit);
+    if (implicit.reached() > best.reached()) best = std::move(implicit);
   }
   return best;
 }
@@ -62,12 +69,12 @@ Look settled(const System& system, const std::vector<Real>& times) {
   Real parts = 50;
   Look look = farthest(system, times, 1e-6L, parts);
   for (const Real tolerance : {1e-9L, 1e-12L, 1e-15L, 1e-18L}) {
-    if (look.reached == 0) break;
+    if (look.reached() == 0) break;
     parts *= 2;
     Look finer = look_by(look, system, times, tolerance, parts);
     // Coarse steps may pass a pole.
-    if (finer.reached == 0 || (finer.reached < look.reached && !finer.ends)) break;
-    const std::size_t mark = finer.reached - 1;
+    if (finer.reached() == 0 || (finer.reached() < look.reached() && !finer.ends)) break;
+    const std::size_t mark = finer.reached() - 1;
     const Along before = look.seen.at(mark), now = finer.seen.at(mark);
     look = std::move(finer);
     if (std::ranges::equal(before.largest, now.largest, is_near) &&
@@ -88,11 +95,30 @@ void leave_out_rounding(const System& system, const std::vector<Real>& times, st
   for (std::size_t i = 0; i < moved.y0.size(); ++i)
     moved.y0[i] *= 1 + static_cast<Real>(static_cast<int>(i % 5) - 2) * 0x1p-50L;
   const Look look = settled(moved, times);
-  if (look.reached <= mark) return;
+  if (look.reached() <= mark) return;
   const Along other = look.seen.at(mark);
   for (std::size_t i = 0; i < along.largest.size(); ++i) {
     if (in_doubt(along.largest[i]) && !is_near(along.largest[i], other.largest[i]))
       along.largest[i] = along.dips[i] = 0;
+  }
+}
+
+/// Sets the dips to zero of which nothing is left later: a run that holds each such component at
+/// ten times its dip has it where it was, once it has risen.
+void leave_out_forgotten(const System& system, const std::vector<Real>& times, const Look& look,
+                         Along& along) {
+  constexpr Real by = 10, risen = 100, trace = 0.1L;
+  if (std::ranges::none_of(along.dips, [](double dip) { return dip > 0; })) return;
+  State at_least(along.dips.begin(), along.dips.end());
+  for (Real& each : at_least) each *= by;
+  const Look held = look_by(look, system, times, look.tolerance, look.parts, &at_least);
+  for (std::size_t i = 0; i < along.dips.size(); ++i) {
+    Real most = -1;
+    for (std::size_t k = look.seen.risen_before(i); k < std::min(look.reached(), held.reached());
+         ++k)
+      if (const Real y = look.states[k][i]; std::abs(y) >= risen * along.dips[i])
+        most = std::max(most, std::abs(held.states[k][i] / y - 1));
+    if (most >= 0 && most < trace) along.dips[i] = 0;
   }
 }
 
@@ -111,7 +137,10 @@ void Watched::take(const State& y) {
       seen.low = std::min(seen.low, size);
     else if (size < before)
       seen.low = size;
-    if (seen.low > 0 && size >= rise * seen.low) seen.risen_from = seen.low;
+    if (seen.low > 0 && size >= rise * seen.low) {
+      if (seen.low != seen.risen_from) seen.risen_before = marks_.size();
+      seen.risen_from = seen.low;
+    }
     seen.largest = std::max(seen.largest, size);
     seen.lowest = std::min(seen.lowest, y[i]);
     seen.last = y[i];
@@ -140,20 +169,22 @@ std::optional<Along> look_along(const System& system, const std::vector<double>&
     all.insert(system.t0 + (Real(stops.back()) - system.t0) * k / parts);
   const std::vector<Real> times(all.begin(), all.end());
   const Look look = settled(system, times);
-  if (look.reached == 0) return std::nullopt;
-  std::size_t mark = look.reached - 1;
-  for (std::size_t k = look.reached; k-- > 0;)
+  if (look.reached() == 0) return std::nullopt;
+  std::size_t mark = look.reached() - 1;
+  for (std::size_t k = look.reached(); k-- > 0;)
     if (asked.contains(times[k])) {
       mark = k;
       break;
     }
   Along along = look.seen.at(mark);
+  along.slides_from = look.slides_from;
+  leave_out_forgotten(system, times, look, along);
   leave_out_rounding(system, times, mark, along);
   return along;
 }
 
 std::string to_text(const Along& along) {
-  std::string text;
+  std::string text = fmt::format("{}\n", along.slides_from);
   for (std::size_t i = 0; i < along.largest.size(); ++i)
     fmt::format_to(std::back_inserter(text), "{} {} {}\n", along.largest[i], along.lowest[i],
                    along.dips[i]);
@@ -163,6 +194,7 @@ std::string to_text(const Along& along) {
 std::optional<Along> along_from(const std::string& text, std::size_t states) {
   std::istringstream in(text);
   Along along;
+  if (std::string from; in >> from) along.slides_from = std::strtod(from.c_str(), nullptr);
   for (std::string largest, lowest, dip; in >> largest >> lowest >> dip;) {
     along.largest.push_back(std::strtod(largest.c_str(), nullptr));
     along.lowest.push_back(std::strtod(lowest.c_str(), nullptr));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +14,13 @@ struct Along {
   std::vector<double> largest;  ///< magnitudes; 0: zero throughout, or a rounding of others
   std::vector<double> lowest;   ///< values, with their signs
   /// Positive where the component, which keeps its sign, has been below a thousandth of its largest
-  /// and has risen tenfold from there: the least magnitude before the rise. An error that is small
-  /// beside the largest may be as large as the component there, and rises with it.
+  /// and has risen tenfold from there, and is larger later where it was larger there: the least
+  /// magnitude before the rise. An error that is small beside the largest may be as large as the
+  /// component there, and rises with it. A component that a source lifts forgets its errors.
   std::vector<double> dips;
+  /// From where on it stays where a condition changes, so that nothing is known beyond; infinite:
+  /// it does not.
+  double slides_from = std::numeric_limits<double>::infinity();
 };
 
 /// Sees the states of a run at the ends of its steps.
@@ -27,12 +32,15 @@ class Watched {
   void mark() { marks_.push_back(all_); }
   /// The sizes up to a mark.
   Along at(std::size_t mark) const;
+  /// The first mark after a component with a dip has risen.
+  std::size_t risen_before(std::size_t component) const { return all_[component].risen_before; }
 
  private:
   struct Seen {
     Real first = 0, last = 0, largest = 0, lowest = 0;
     Real low = 0;         ///< least magnitude since it fell, or since a start that is not 0
     Real risen_from = 0;  ///< the least of these from which it has risen
+    std::size_t risen_before = 0;
     bool begun = false, changed_sign = false;
   };
   std::vector<Seen> all_;

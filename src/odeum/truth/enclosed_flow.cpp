@@ -114,7 +114,12 @@ Balls EnclosedFlow::box() const {
 }
 
 std::string EnclosedFlow::run_to(double time) {
-  const double span = (Ball(time) - t_).middle();
+  const double span = (Ball(time) - t_).middle(), start = t_.middle(), before = spent_;
+  // Where an eighth of the work makes a fiftieth of the way the rest is not tried.
+  const auto is_spent = [&] {
+    return spent_ > most_work ||
+           (spent_ - before > most_work / 8 && t_.middle() - start < span / 50);
+  };
   if (h_ == 0) h_ = span / 16;
   for (;;) {
     const Ball left = Ball(time) - t_;
@@ -122,7 +127,7 @@ std::string EnclosedFlow::run_to(double time) {
     if (!(distance > 0)) return "";
     const bool last = h_ >= distance * (1 - 1e-9);
     const double next = h_;
-    if (spent_ > most_work || !(h_ > 1e-9 * span))
+    if (is_spent() || !(h_ > 1e-9 * span))
       return fmt::format("the work is spent at t = {:.4g}", t_.middle());
     spent_ += 2 * cost_;
     if (!step(last ? left : Ball(std::min(h_, distance / 2)))) continue;

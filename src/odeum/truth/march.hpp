@@ -100,13 +100,15 @@ inline Real step_factor(Real error, int order) {
 /// noise of f are not asked for errors below that noise.
 constexpr Real short_memory = 0.999L;
 
-/// What a start at zero comes to in h, at most 1. `f`: the slope at the start.
+/// What a start at zero comes to in h, at most 1, or the largest where that is known. `f`: the
+/// slope at the start.
 inline Real size_soon(const System& system, Real h, State y, State f) {
   const Real size = size_of(f);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = h * f[i];
   system.rhs(system.t0 + h, y.data(), f.data());
   const Real later = size_of(f);
-  return std::min(h * (std::isfinite(later) ? std::max(size, later) : size), 1.0L);
+  const Real most = system.along ? *std::ranges::max_element(system.along->largest) : 1;
+  return std::min(h * (std::isfinite(later) ? std::max(size, later) : size), most);
 }
 
 /// The measured cost of allocations, and of the inspector's intervals, in operations.
@@ -128,6 +130,21 @@ inline std::string words_of_vanishing(bool ends, Real t) {
                             "steps can be");
 }
 
+/// A slope may be far larger than what the solution comes to, and no step is below the rounding of
+/// t: such a step is tried.
+inline Real first_step(Real slope, Real t, Real span, Real parts) {
+  const Real shortest = 64 * std::numeric_limits<Real>::epsilon() * std::abs(t);
+  return std::min(std::max(slope > 0 ? 1e-3L / slope : span, shortest), span / parts);
+}
+
+/// Disturbs a state, and raises smaller components than are asked for, but no zero, which has no
+/// sign.
+inline void alter(const Effort& effort, Disturbance& disturbance, State& y) {
+  if (effort.disturb) disturbance.move(y);
+  for (std::size_t i = 0; effort.at_least && i < y.size(); ++i)
+    if (y[i] != 0) y[i] = std::copysign(std::max(std::abs(y[i]), (*effort.at_least)[i]), y[i]);
+}
+
 /// Steps through the times with `step(t, h, y, sizes) -> Trial`, whose error is of order `order` in
 /// h and relative to the tolerance.
 template <class Step>
@@ -143,10 +160,10 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   const Real span = effort.span > 0 ? effort.span : times.back() - t;
   // The slope tells the size of a start at zero, for one step.
   if (measured.none_yet()) measured.expect(size_soon(system, span * 0x1p-20L, y, f));
-  const Real slope = largest_ratio(f, sizes);
-  Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / effort.parts);
+  Real h = first_step(largest_ratio(f, sizes), t, span, effort.parts);
   Watch watch{.span = span,
-              .insight = effort.inspect && system.insight ? system.insight(span) : nullptr};
+              .insight = effort.inspect && system.insight ? system.insight(span) : nullptr,
+              .changes_only = effort.watched != nullptr};
   Ending ending;
   Disturbance disturbance;
   const double overhead = overhead_of_step(system, y.size(), watch.insight != nullptr);
@@ -178,7 +195,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
       }
       ending.add(t, y);
       y = std::move(trial.y);
-      if (effort.disturb) disturbance.move(y);
+      alter(effort, disturbance, y);
       measured.update(y);
       if (effort.watched) effort.watched->take(y);
       t = last ? time : t + used;

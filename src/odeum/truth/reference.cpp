@@ -15,10 +15,11 @@
 namespace odeum::truth {
 namespace {
 
-constexpr int checks = 80;        // times looked at besides those asked for
-constexpr Real unknown = 1e-6L;   // of the scale: beyond that nothing is known
-constexpr Real least = 0x1p-62L;  // of the scale: rounding of extended precision itself
-constexpr double work_of_few = 4e9, work_of_some = 8e9, work_of_many = 6e9;  // 5 to 20 s
+constexpr int checks = 80;          // times looked at besides those asked for
+constexpr Real unknown = 1e-6L;     // of the scale: beyond that nothing is known
+constexpr Real few_digits = 1e-3L;  // of the scale: a larger error leaves nothing to compare with
+constexpr Real least = 0x1p-62L;    // of the scale: rounding of extended precision itself
+constexpr double work_of_few = 3.2e9, work_of_some = 8e9, work_of_many = 6e9;  // 5 to 20 s
 constexpr Real share = 0.4L;     // of what is left, for each of two runs
 constexpr Real brief = 1e-12L;   // the tolerance at which families are compared
 constexpr std::size_t few = 64;  // states; with more, each comparison takes seconds
@@ -115,11 +116,9 @@ class Search {
     constexpr Real dear = 1e8L;  // for digits close to the rounding of double
     return work <= left_ && (work <= dear || c.worst > 1e-14L * size_of(c));
   }
-
   static bool is_better(const Comparison& a, const Comparison& b) {
     return a.known > b.known || (a.known == b.known && a.worst < b.worst);
   }
-
   Real size_of(const State& y) const { return largest_of(y, y, units_); }
   Real size_of(const Comparison& c) const {
     Real size = size_of(system_.y0);
@@ -243,16 +242,21 @@ class Search {
       extend(largest, y);
       State constants(n, 0);
       if (moved_ && k < moved_->states.size()) constants = difference_of(y, moved_->states[k]);
+      State floors(n);
+      for (std::size_t i = 0; i < n; ++i)
+        floors[i] = safety * apart[i] + 10 * constants[i] / moved_by * 0x1p-64L +
+                    unsure(best.a, k, i) + unsure(best.b, k, i) +
+                    least * (units_.is_relative(i) ? std::abs(y[i]) : largest[i]);
+      if (!(largest_of(floors, y, units_) <= few_digits * size_of(largest))) {
+        r.end = fmt::format("from t = {:.6Lg} on, rounding leaves too few digits", times_[k]);
+        break;
+      }
       r.known_until = static_cast<double>(times_[k]);
       r.times.push_back(r.known_until);
       r.states.push_back(y);
-      std::vector<double>& floors = r.floors.emplace_back(n);
-      for (std::size_t i = 0; i < n; ++i)
-        floors[i] =
-            static_cast<double>(safety * apart[i] + 10 * constants[i] / moved_by * 0x1p-64L +
-                                unsure(best.a, k, i) + unsure(best.b, k, i) + least * largest[i]);
+      r.floors.emplace_back(floors.begin(), floors.end());
     }
-    if (best.known < times_.size()) r.end = why(best);
+    if (r.end.empty() && best.known < times_.size()) r.end = why(best);
     const Real first = best.a.ends_at, second = best.b.ends_at;
     const Real margin = 1e-6L * elapsed_.back();
     if (std::isfinite(first) && std::abs(first - second) <= margin)

@@ -123,6 +123,8 @@ struct Run {
   /// Where the slope of the solution grows without bound, at a pole or a root: it ends there.
   /// Infinite: nowhere that is known.
   Real ends_at = std::numeric_limits<Real>::infinity();
+  /// From where on it stays where a condition changes; infinite: it does not.
+  Real slides_from = std::numeric_limits<Real>::infinity();
   bool split = false;  ///< steps were shortened for what was found inside of them
   /// The time just after a condition has changed, at which the run ended, and the state there.
   std::optional<std::pair<Real, State>> changed;
@@ -137,15 +139,16 @@ using Moment = std::chrono::steady_clock::time_point;
 
 /// What a run may cost and how accurate each of its steps is to be.
 struct Effort {
-  Real tolerance = 1e-18L;       ///< per step, relative to the size of the solution
-  double budget = 3e9;           ///< operations
-  bool inspect = false;          ///< look into each step
-  Real span = 0;                 ///< of the whole, of which a run is a part; 0: it is the whole
-  bool disturb = false;          ///< change each state by `moved_by` of itself after a step
-  Moment until = Moment::max();  ///< see Deadline
-  Real parts = 50;               ///< of the span, one of which no step is longer than
-  Watched* watched = nullptr;    ///< sees each step; null: nothing does
-  Real least_part = 1e-6L;       ///< of the largest size, by which small components are measured
+  Real tolerance = 1e-18L;          ///< per step, relative to the size of the solution
+  double budget = 3e9;              ///< operations
+  bool inspect = false;             ///< look into each step
+  Real span = 0;                    ///< of the whole, of which a run is a part; 0: it is the whole
+  bool disturb = false;             ///< change each state by `moved_by` of itself after a step
+  Moment until = Moment::max();     ///< see Deadline
+  Real parts = 50;                  ///< of the span, one of which no step is longer than
+  Watched* watched = nullptr;       ///< sees each step; null: nothing does
+  Real least_part = 1e-6L;          ///< of the largest size, by which small components are measured
+  const State* at_least = nullptr;  ///< magnitudes at which components are held; null: none are
 };
 
 using Method = Run (*)(const System&, const std::vector<Real>& times, const Effort&);

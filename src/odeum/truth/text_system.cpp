@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -63,6 +64,21 @@ System smooth_system(const std::shared_ptr<const TextOde>& ode) {
   return system;
 }
 
+/// At a switch that a text names its rounded time may lie on the other side, where an expression
+/// that holds on this one has no value, as a/s in `if(s > 0, exp(-a/s), 0)`.
+void keep_between(Real from, Real to, System& system) {
+  const auto keep = [from, to](auto& function) {
+    if (function)
+      function = [function, from, to](Real t, const Real* y, auto... more) {
+        return function(std::clamp(t, from, to), y, more...);
+      };
+  };
+  keep(system.rhs);
+  keep(system.jacobian);
+  keep(system.entries);
+  keep(system.taylor);
+}
+
 /// The smooth parts of a text with kinks. Steps end at the switches that the text names, so that
 /// their conditions need not be looked at within steps.
 class Modes {
@@ -88,7 +104,12 @@ class Modes {
       if (!chosen) break;
     }
     if (!chosen || has_become_zero(chosen->mode, t)) return nullptr;
-    return system_of_part(*chosen, t);
+    auto system = system_of_part(*chosen, t);
+    constexpr Real none = std::numeric_limits<Real>::infinity(), aside = 1 - 0x1p-60L;
+    const bool begins = later != named_.times.begin() && t - *std::prev(later) <= rounding;
+    keep_between(begins ? t + rounding / 8 : -none,
+                 later == named_.times.end() ? none : t + left * aside, *system);
+    return system;
   }
 
  private:
@@ -147,10 +168,12 @@ class Modes {
     return has;
   }
 
-  /// The signs of all conditions at a place, as far as they matter there.
+  /// The signs of all conditions at a place, as far as they matter there. The signs of some select
+  /// what others compare, as in abs(u) < 1, so that all are computed until none changes.
   formula::Signs signs_at(Real t, const State& y, bool is_moved) {
     formula::Signs signs;
-    for (std::size_t known = 0;;) {
+    for (;;) {
+      const formula::Signs before = signs;
       const formula::Mode mode = mode_with(signs, is_moved);
       const formula::Evaluator<Real> conditions(mode.problem.graph, mode.switches);
       State values(mode.switches.size()), named(mode.switches.size());
@@ -160,8 +183,7 @@ class Modes {
         const Real value = named_.nodes.contains(mode.ids[k]) ? named[k] : values[k];
         signs[mode.ids[k]] = mode.sign(k, value);
       }
-      if (signs.size() == known) return signs;
-      known = signs.size();
+      if (signs == before) return signs;
     }
   }
   formula::Mode mode_with(const formula::Signs& signs, bool is_moved) const {

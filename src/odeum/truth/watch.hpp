@@ -80,8 +80,9 @@ std::optional<std::pair<Real, State>> locate_change(const System& system, Real t
 struct Watch {
   Real span = 1;  ///< of the whole run
   std::unique_ptr<Insight> insight;
-  Real part = 1;     ///< of a step that does not pass, which is to be tried next
-  int shortest = 0;  ///< steps that were hardly longer than is looked into
+  bool changes_only = false;  ///< pulses that samples may have missed are let pass
+  Real part = 1;              ///< of a step that does not pass, which is to be tried next
+  int shortest = 0;           ///< steps that were hardly longer than is looked into
 
   /// Whether the step from y to `next` may be taken; else the run has ended, or `part` is set.
   template <class Step>
@@ -92,6 +93,7 @@ struct Watch {
     if (inside.kind == Inside::Kind::change)
       run.changed = locate_change(system, t, h, inside, y, sizes, step, run.work);
     if (run.changed) return false;
+    if (changes_only && inside.kind != Inside::Kind::change) return true;
     // A change that is not there was found on a path that is too inaccurate.
     if (inside.kind != Inside::Kind::nothing && h > shortest_inspected * span) {
       run.split = true;
