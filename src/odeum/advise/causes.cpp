@@ -183,7 +183,7 @@ void look_at_absolutes(Inquiry& q) {
   if (!q.known) return;
   const Tolerance& tolerance = q.run.request.tolerance;
   const std::vector<double>& exact = q.known->end;
-  // An absolute tolerance above all that a component ever is, and an error of it that shows.
+  // The worst component stays below its absolute tolerance, and its error shows.
   std::size_t worst = q.sizes.size();
   double most = q.run.ok() ? std::max(1e-5, 10 * tolerance.relative) : 1;
   for (std::size_t i = 0; i < q.sizes.size(); ++i) {
@@ -193,7 +193,7 @@ void look_at_absolutes(Inquiry& q) {
     if (shows > most) most = shows, worst = i;
   }
   if (worst == q.sizes.size()) return;
-  // The same run with one that the component's size asks for.
+  // The same run is made with the tolerance that the component's size asks for.
   Request request = q.run.request;
   request.record_steps = false;
   std::vector<double> absolute(q.sizes.size());

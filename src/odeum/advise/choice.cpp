@@ -20,7 +20,7 @@ const Run& farthest(const Inquiry& q) {
 
 namespace {
 
-/// What a run's error is held to: its own, or what can't be told from none.
+/// Returns the error that is as exact: the run's own, or one that is too small to be told.
 double as_exact(const Inquiry& q) {
   constexpr double negligible = 1e-3;  // of what was asked for
   return std::max({q.difference(q.run), q.known->doubt, negligible * wanted(q)});
@@ -39,15 +39,17 @@ Worth worth_of(const Inquiry& q, const Other& other) {
   if (other.reached < q.run.request.stops.back())
     return !q.run.ok() || !(ours <= far_off) ? better : none;
   // Where no tolerance helps, one that ends near the solution does so by chance.
-  if (!(theirs <= far_off) || q.no_tolerance_helps()) return none;
+  if (std::isnan(theirs) || q.no_tolerance_helps()) return none;
+  const double told = std::max(theirs, q.known->doubt);
+  if (theirs > far_off)
+    return q.run.ok() && theirs < 10 * far_off && told <= 0.1 * ours ? dear : none;
   if (!q.run.ok()) return better;
   if (other.error > std::max(1.5 * q.why.error, want)) return none;
-  const double work = work_of(other.counters, q.c) / work_of(q.why.outcome.counters, q.c),
-               told = std::max(theirs, q.known->doubt);
+  const double work = work_of(other.counters, q.c) / work_of(q.why.outcome.counters, q.c);
   const bool nearer = (ours > 10 * want && told < 0.3 * ours) ||
                       (work < 1.2 && told <= (ours > want ? 0.5 : 0.1) * ours);
   if (nearer || (theirs <= as_exact(q) && work < 0.8)) return better;
-  // A fixed step asks for no error.
+  // A fixed step does not ask for an error.
   const double enough = q.adaptive() ? want : std::max(3 * ours, 1e-9);
   if ((told <= enough && work < 0.5) || (told <= 0.1 * ours && work < 2)) return fair;
   return ours > want && told <= std::max(want, 0.3 * ours) && told < 0.5 * ours ? dear : none;
@@ -177,7 +179,7 @@ void try_as_exact(Inquiry& q) {
   std::set<std::string> tried;
   constexpr std::size_t most = 4;
   while (tried.size() < most && q.time_for_more(0.15)) {
-    // The cheapest run of those that are left, as it is foreseen.
+    // The cheapest of the runs that are left is the next, as it is foreseen.
     const Run* next = nullptr;
     for (const Run& run : q.others)
       if (q.difference(run) <= far_off && run.request.mode == Mode::adaptive &&
@@ -210,11 +212,11 @@ void choose(Inquiry& q) {
     const Other& other = q.why.others[k];
     Worth worth = worth_of(q, other);
     if (worth == Worth::none) continue;
-    // Where the run's absolute tolerance is at fault, the run with another one.
+    // The run with another absolute tolerance comes first where that is at fault.
     if (q.found(Cause::absolute) && other.solver != q.why.solver)
       worth = std::max(worth, Worth::fair);
-    const bool whole = other.reached == end;
-    const double error = whole && other.difference > 10 * wanted(q) ? other.difference : 0;
+    const bool whole = other.reached == end && other.difference <= far_off;
+    const double error = other.difference > 10 * wanted(q) ? other.difference : 0;
     const std::array cost{whole ? 0.0 : 1.0, static_cast<double>(worth), error,
                           work_of(other.counters, q.c)};
     if (cost < least) least = cost, q.why.better = k;

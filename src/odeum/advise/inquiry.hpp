@@ -117,7 +117,7 @@ double wanted(const Inquiry& q);
 void try_others(Inquiry& q);
 /// What the causes themselves suggest: the same solver with another setting, or a shorter run.
 void try_settings(Inquiry& q);
-/// Makes the cheapest of the others as exact as a run whose error is no fault, by their tolerances.
+/// Makes the cheapest of the others as exact as a run whose error is not at fault.
 void try_as_exact(Inquiry& q);
 /// Chooses the best of the others that do better.
 void choose(Inquiry& q);

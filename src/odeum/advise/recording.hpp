@@ -66,7 +66,7 @@ struct Run {
 
   std::size_t steps() const { return ends.size() - 1; }
   bool ok() const { return outcome.status == Status::ok; }
-  /// Its last state.
+  /// Points to the last state.
   const double* end() const {
     return outcome.states.data() + outcome.states.size() - moments.front().y.size();
   }

@@ -110,7 +110,7 @@ class Step {
   std::vector<std::vector<double>> slopes_;
 };
 
-/// Where the run is near the solution before it; else it misses more than that.
+/// Adds the pulse where the run is near the solution before it; else the run misses more than that.
 void add_pulse(Inquiry& q, const Interval& unseen) {
   if (q.trusted && q.run.moments.size() > 1) {
     const std::vector<Moment>& known = q.trusted->moments;

@@ -9,7 +9,7 @@ namespace odeum::formula {
 
 /// Whether the value of an operation may have a kink or a jump at a zero of what it depends on.
 bool is_switch(Op op);
-/// The expression that is zero at the kinks and jumps of a switch, and nowhere else.
+/// Returns the expression that is zero at the kinks and jumps of a switch, and nowhere else.
 Id zero_at_switch(Graph& graph, Node node);
 
 /// The times at which a text itself says that its right-hand side has a kink or a jump: where a
