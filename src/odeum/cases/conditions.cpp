@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "odeum/cases/case_text.hpp"
 #include "odeum/formula/evaluator.hpp"
 #include "odeum/formula/switch_times.hpp"
 
