@@ -295,7 +295,7 @@ const std::vector<MadeFailure>& made_failures() {
                "equations: {x: v, v: '(2*pi)^2*sin(2*pi*t) - 2*sign(v)'}\ntime: {end: 10}\n",
        .solver = "odeum/dormand_prince54",
        .causes = {kink},
-       .also = {accuracy},
+       .also = {accuracy, sliding},  // from t = 5, for a hundredth
        .end = {74.31808248, -4.24945898}},
       {.name = "box_with_friction",
        .text = "states: {v: 10}\nequations: {v: -sign(v)*9.8*0.3}\ntime: {end: 4}\n",
@@ -350,6 +350,26 @@ const std::vector<MadeFailure>& made_failures() {
        .causes = {pulse},
        .also = {accuracy, kink},
        .end = {0.093494749016, 0.540536415562}},
+      // Clocks that are states: no solver is told the times; their ends by closed forms.
+      {.name = "infusion_that_a_clock_starts",
+       .text =
+           "states: {clock: 0, gut: 0, blood: 0}\n"
+           "equations: {clock: 1, gut: 'if(clock > 30, if(clock < 30.25, 40, 0), 0) - 1.2*gut', "
+           "blood: 1.2*gut - 0.1*blood}\ntime: {end: 36}\n",
+       .solver = "cvode/bdf",
+       .absolute = {1e-8},
+       .causes = {pulse},
+       .also = {accuracy, kink},
+       .end = {36, 0.00870665402239, 6.05300337944}},
+      {.name = "doses_by_a_clock",
+       .text = "states: {clock: 0.5, c: 0}\n"
+               "equations: {clock: 1, c: 'if(mod(clock, 3) < 1, 4, 0) - 0.4*c'}\n"
+               "time: {end: 8}\n",
+       .solver = "odeum/dormand_prince853",
+       .relative = 1e-9,
+       .causes = {kink},
+       .also = {accuracy},
+       .end = {8.5, 2.44452789171}},
       {.name = "enzyme_in_moles",
        .text = "states: {s: 1e-6, c: 0, p: 0}\n"
                "equations: {s: -1e6*(1e-8 - c)*s + 0.1*c, c: 1e6*(1e-8 - c)*s - 0.6*c, p: 0.5*c}\n"

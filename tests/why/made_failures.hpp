@@ -73,6 +73,8 @@ inline why::Why why_of(const MadeFailure& made, const Case& c, const Request& re
 inline Request made_request(const MadeFailure& made, const Case& c) {
   Request request;
   request.stops = {c.stops.back()};
+  // Runs across a jump again and again go on for hundreds of millions.
+  request.budget.evaluations = 500'000;
   if (made.step > 0) {
     request.steps = static_cast<std::uint64_t>(std::llround((c.stops.back() - c.t0) / made.step));
   } else {

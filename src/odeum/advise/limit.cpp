@@ -99,7 +99,7 @@ std::string limit_of_adaptive(const Advice& advice, const Case& c) {
   if (coarser.status != Status::ok)
     return fmt::format("unknown: to ten times the tolerance the run ends {}",
                        to_string(coarser.status));
-  const bool misses = advice.run_ns == 0 && !coarser.reaches(advice.wishes.error);
+  const bool misses = !coarser.reaches(advice.wishes.error);
   return fmt::format(
       "{}: ten times the tolerance takes {:g} steps in place of {:g}{}{}",
       misses ? "accuracy" : "unknown", steps(coarser), steps(found),
@@ -159,6 +159,7 @@ std::size_t stops_followed(const Case& c, const State& states) {
 }  // namespace
 
 std::string limit_of(const Advice& advice, const Case& c) {
+  if (advice.run_ns > 0) return "time: nobody has less error within it";
   return winner_of(advice).mode == Mode::fixed ? limit_of_fixed(advice, c)
                                                : limit_of_adaptive(advice, c);
 }

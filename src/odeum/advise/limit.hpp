@@ -7,10 +7,11 @@
 /// What is measured of an answer's run, beside its error and its time.
 namespace odeum::advise {
 
-/// What keeps the winner's steps from being longer: `accuracy`, `stability`, `frame`, `stops`, or a
-/// text that begins with `unknown`. By the coarser run, and where that says more than a larger
-/// error by the eigenvalues of the Jacobian along the solution against the edge of the solver's own
-/// region of stability, which is measured.
+/// What keeps the winner's steps from being longer: `accuracy`, `stability`, `frame`, `stops`,
+/// `time`, or `unknown`, each with a reason where it has one. By the nearest coarser run that
+/// misses the error, and where that has far more of it than the order explains by the eigenvalues
+/// of the Jacobian along the solution against the edge of the solver's own region of stability,
+/// which is measured.
 std::string limit_of(const Advice& advice, const Case& c);
 
 /// How the problem carries a change of its start to the stops, and how the winner's run does, where

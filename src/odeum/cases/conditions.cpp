@@ -5,22 +5,18 @@
 #include <memory>
 #include <vector>
 
+#include "odeum/cases/case_text.hpp"
 #include "odeum/formula/evaluator.hpp"
+#include "odeum/formula/switch_times.hpp"
 
 namespace odeum::cases {
 
 Conditions conditions_of(const formula::Problem& problem) {
-  using formula::Op;
   formula::Graph graph = problem.graph;
   std::vector<formula::Id> conditions;
-  for (const formula::Id id : problem.graph.needed(problem.equations)) {
-    const formula::Node node = graph[id];
-    if (node.op == Op::less || node.op == Op::less_equal || node.op == Op::min ||
-        node.op == Op::max)
-      conditions.push_back(graph.make(Op::subtract, node.of[1], node.of[0]));
-    else if (node.op == Op::abs || node.op == Op::sign)
-      conditions.push_back(node.of[0]);
-  }
+  for (const formula::Id id : problem.graph.needed(problem.equations))
+    if (const formula::Node node = problem.graph[id]; formula::is_switch(node.op))
+      conditions.push_back(formula::zero_at_switch(graph, node));
   std::erase_if(conditions, [&](formula::Id id) { return graph.is_constant(id); });
   std::ranges::sort(conditions);
   conditions.erase(std::unique(conditions.begin(), conditions.end()), conditions.end());

@@ -14,7 +14,7 @@ struct Conditions {
   std::function<void(double t, const double* y, double* values)> at = {};
 };
 
-/// The conditions of `if`, abs, sign, min and max in the equations of a text.
+/// The conditions of comparisons, abs, sign, floor, min and max in the equations of a text.
 Conditions conditions_of(const formula::Problem& problem);
 /// The conditions of the text that states the case; none where it is not a text.
 Conditions conditions_of(const Case& c);

@@ -124,9 +124,17 @@ std::string commented(const std::string& lines) {
   return text;
 }
 
+/// A scene is watched all the time, and what is seen of it is not right at its quarters alone.
+void watch(Case& c) {
+  constexpr int looks = 64;
+  const double length = c.stops.back() - c.t0;
+  c.stops.clear();
+  for (int k = 1; k <= looks; ++k) c.stops.push_back(c.t0 + length * k / looks);
+}
+
 /// Whether `odeum run --stops` has the stops of the case.
 bool may_stop(const AdviseOptions& options, const Case& c) {
-  return !options.code && !options.problems.span.given() &&
+  return !options.code && !options.problems.span.given() && !c.has_tag("scene") &&
          (c.timed_stops() == c.stops || study::convergence_stops(c) == c.stops);
 }
 
@@ -151,7 +159,9 @@ int advise_on(Session& session, AdviseOptions& options, const CLI::App& command)
   const truth::Accuracy accuracy(options.wishes.error > 0 ? options.wishes.error / 100 : 0);
   std::vector<Range> ranges;
   for (const std::string& text : options.vary) ranges.push_back(range_of(text));
-  const Case given = case_of(session, options.what, options.problems);
+  const Case given = case_of(session, options.what, options.problems, [&](Case& c) {
+    if (c.has_tag("scene") && options.wishes.frame == 0) watch(c);
+  });
   Box box;
   if (ranges.empty())
     box.cases.push_back(given);

@@ -107,10 +107,12 @@ Case case_before_truth(Session& session, const cases::Named& what, const Problem
   return options.span.given() ? cases::with_span(c, options.span) : c;
 }
 
-Case case_of(Session& session, const std::string& what, const ProblemOptions& options) {
+Case case_of(Session& session, const std::string& what, const ProblemOptions& options,
+             const std::function<void(Case&)>& before_truth) {
   const cases::Named named(what);
   return with_usage_errors(named, [&] {
     Case c = case_before_truth(session, named, options);
+    if (before_truth) before_truth(c);
     complete(c);
     return c;
   });

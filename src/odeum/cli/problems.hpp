@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ void add_problem_options(CLI::App& command, ProblemOptions& options, bool words 
 /// long: a case, or the one of a file. Throws UsageError, also for a file with several cases of
 /// which none is chosen.
 Case case_before_truth(Session& session, const cases::Named& what, const ProblemOptions& options);
-/// The same with its truth.
-Case case_of(Session& session, const std::string& what, const ProblemOptions& options);
+/// The same with its truth; `before_truth` may change it before that is computed.
+Case case_of(Session& session, const std::string& what, const ProblemOptions& options,
+             const std::function<void(Case&)>& before_truth = {});
 
 /// Throws UsageError where a case was chosen of what is not a problem's file.
 void require_no_choice(const std::string& what, const std::string& chosen);

@@ -16,22 +16,6 @@ namespace {
 
 using Real = long double;
 
-/// Nodes whose value has a kink or a jump where what they depend on has a zero.
-bool is_switch(Op op) {
-  switch (op) {
-    case Op::less:
-    case Op::less_equal:
-    case Op::floor:
-    case Op::abs:
-    case Op::sign:
-    case Op::min:
-    case Op::max:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// The zeros of an expression of the time alone, by interval arithmetic: a part of the time over
 /// whose enclosure the expression is not zero has none, and one over which it is monotone has at
 /// most one, which its signs at both ends tell.
@@ -135,15 +119,6 @@ class Zeros {
   std::size_t parts_ = 0;
 };
 
-/// What is zero at the jumps of a switch, and nowhere else.
-Id zero_at_switch(Graph& graph, const Node& node) {
-  if (node.op == Op::abs || node.op == Op::sign) return node.of[0];
-  if (node.op == Op::floor)  // whole numbers
-    return graph.make(
-        Op::sin, graph.make(Op::multiply, graph.constant(std::numbers::pi_v<Real>), node.of[0]));
-  return graph.make(Op::subtract, node.of[1], node.of[0]);
-}
-
 /// The switches that depend on no state, inner ones before outer ones.
 std::vector<Id> timed_switches(const Problem& problem) {
   const Graph& graph = problem.graph;
@@ -160,6 +135,19 @@ std::vector<Id> timed_switches(const Problem& problem) {
 }
 
 }  // namespace
+
+bool is_switch(Op op) {
+  return op == Op::less || op == Op::less_equal ||
+         (has_kinks(op) && op != Op::choose && op != Op::side);
+}
+
+Id zero_at_switch(Graph& graph, Node node) {
+  if (node.op == Op::abs || node.op == Op::sign) return node.of[0];
+  if (node.op == Op::floor)  // whole numbers
+    return graph.make(
+        Op::sin, graph.make(Op::multiply, graph.constant(std::numbers::pi_v<Real>), node.of[0]));
+  return graph.make(Op::subtract, node.of[1], node.of[0]);
+}
 
 bool has_timed_switches(const Problem& problem) { return !timed_switches(problem).empty(); }
 

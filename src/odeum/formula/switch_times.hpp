@@ -7,6 +7,11 @@
 
 namespace odeum::formula {
 
+/// Whether the value of an operation may have a kink or a jump at a zero of what it depends on.
+bool is_switch(Op op);
+/// Returns the expression that is zero at the kinks and jumps of a switch, and nowhere else.
+Id zero_at_switch(Graph& graph, Node node);
+
 /// The times at which a text itself says that its right-hand side has a kink or a jump: where a
 /// comparison, or an abs, sign, floor, min or max, of expressions of the time and of constants
 /// alone changes, as `if(t > 5, ...)` does at 5 and `max(sin(t), 0)` at each multiple of pi.

@@ -66,6 +66,10 @@ struct Run {
 
   std::size_t steps() const { return ends.size() - 1; }
   bool ok() const { return outcome.status == Status::ok; }
+  /// Points to the last state.
+  const double* end() const {
+    return outcome.states.data() + outcome.states.size() - moments.front().y.size();
+  }
   /// The mean length of the steps around t, a hundredth of them.
   double step_at(double t) const;
   /// How many steps lie in an interval, parts of steps included.

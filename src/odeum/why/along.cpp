@@ -57,10 +57,21 @@ void find_binding(Inquiry& q, Sample& s) {
   }
 }
 
+double fastness(const Sample& s) { return std::abs(s.binding); }
+
 std::optional<Cause> cause_of(const Inquiry& q, const Sample& s) {
   if (q.found(Cause::sliding) && s.at.t + 2 * s.at.h >= q.kinks.front().t) return Cause::sliding;
   for (const Kink& kink : q.kinks)
     if (std::abs(kink.t - s.at.t) <= std::max(2 * s.at.h, q.kink_reach)) return Cause::kink;
+  // Runs that have parted say little: the edge binds where a looser run takes as many steps in all,
+  // and an eigenvalue is far beyond what the solution shows.
+  if (q.parted) {
+    constexpr double much = 10, near_the_edge = 0.7;
+    const bool as_many = static_cast<double>(q.run.steps()) <
+                         follows_tolerance * static_cast<double>(q.looser->steps());
+    return as_many && s.used > near_the_edge && fastness(s) > much * s.rate ? Cause::stability
+                                                                            : Cause::accuracy;
+  }
   // Where no looser run got to, at the very edge.
   if (std::isnan(s.looser))
     return s.used > 0.7 && s.used < 1.4 ? std::optional(Cause::stability) : std::nullopt;
@@ -116,8 +127,6 @@ std::optional<std::size_t> who(const std::vector<const Sample*>& samples) {
     if (s->spectrum.component) weights[*s->spectrum.component] += s->weight;
   return weights.empty() ? std::nullopt : std::optional(key_of_most(weights));
 }
-
-double fastness(const Sample& s) { return std::abs(s.binding); }
 
 Segment segment_of(const Inquiry& q, const std::vector<const Sample*>& samples, double to) {
   std::map<std::optional<Cause>, double> causes;
@@ -219,6 +228,9 @@ void sample(Inquiry& q, const Run& along, double h) {
 }
 
 void compare_samples(Inquiry& q) {
+  // Where both have parted, their steps at one time are those of different states.
+  constexpr double parted = 5 * far_off;
+  q.parted = q.looser && q.looser->ok() && q.run.ok() && !(q.apart(*q.looser, q.run) <= parted);
   for (Sample& s : q.samples) {
     s.rate = rate_at(q, s.at);
     if (!q.looser || !(s.at.t < q.looser->ends.back())) continue;

@@ -113,8 +113,9 @@ void look_at_amplification(Inquiry& q) {
   if (!std::isfinite(most)) return;
   q.amplification = std::exp(std::min(most, 700.0));
   // It explains the error, or leaves nothing to be known.
-  constexpr double large = 1e3;
-  const bool explains = std::isnan(off) || q.amplification * wanted(q) > 0.1 * std::min(off, 1.0);
+  constexpr double large = 100, accumulated = 10;  // errors of many steps add up
+  const bool explains =
+      std::isnan(off) || accumulated * q.amplification * wanted(q) > 0.1 * std::min(off, 1.0);
   if (q.amplification < large || !explains) return;
   q.add(Cause::amplification, nan, from,
         fmt::format("the problem itself amplifies errors: one of a state at t = {:.4g} is e^{:.3g} "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "odeum/why/inquiry.hpp"
 
@@ -19,29 +20,45 @@ const Run& farthest(const Inquiry& q) {
 
 namespace {
 
-/// Whether another run is what to do instead: it ends near the solution and is nearer to it, or no
-/// farther away for less work. Nothing is said where the solution is not known.
-bool is_better(const Inquiry& q, const Other& other) {
-  if (other.status != Status::ok) return false;
+/// Returns the error that is as exact: the run's own, or one that is too small to be told.
+double as_exact(const Inquiry& q) {
+  constexpr double negligible = 1e-3;  // of what was asked for
+  return std::max({q.difference(q.run), q.known->doubt, negligible * wanted(q)});
+}
+
+/// Whether another run is what to do instead, the best first: it ends near the solution, and is
+/// nearer to it or as near for less work; it keeps what was asked for at half of the work, or is
+/// much nearer for little more; it alone keeps what was asked for, whatever it takes. Nothing is
+/// said where the solution is not known.
+enum class Worth { better, fair, dear, none };
+Worth worth_of(const Inquiry& q, const Other& other) {
+  using enum Worth;
+  if (other.status != Status::ok) return none;
   const double theirs = other.difference, ours = q.difference(q.run), want = wanted(q);
   // A shorter run, where none gets to the end.
-  if (other.reached < q.run.request.stops.back()) return !q.run.ok() || !(ours <= far_off);
+  if (other.reached < q.run.request.stops.back())
+    return !q.run.ok() || !(ours <= far_off) ? better : none;
   // Where no tolerance helps, one that ends near the solution does so by chance.
-  if (!(theirs <= far_off) || q.no_tolerance_helps()) return false;
-  if (!q.run.ok()) return true;
-  if (other.error > std::max(1.5 * q.why.error, want)) return false;
+  if (std::isnan(theirs) || q.no_tolerance_helps()) return none;
+  const double told = std::max(theirs, q.known->doubt);
+  if (theirs > far_off)
+    return q.run.ok() && theirs < 10 * far_off && told <= 0.1 * ours ? dear : none;
+  if (!q.run.ok()) return better;
+  if (other.error > std::max(1.5 * q.why.error, want)) return none;
   const double work = work_of(other.counters, q.c) / work_of(q.why.outcome.counters, q.c);
-  if (ours > 10 * want && theirs < 0.3 * ours) return true;
-  if (theirs <= 0.1 * ours && theirs > q.known->doubt && work < 1.2) return true;
-  // A fixed step asks for no error: what is as exact.
-  const double enough = q.adaptive() ? std::max(ours, want) : std::max(3 * ours, 1e-9);
-  return theirs <= std::max(enough, q.known->doubt) && work < (theirs <= ours ? 0.8 : 0.5);
+  const bool nearer = (ours > 10 * want && told < 0.3 * ours) ||
+                      (work < 1.2 && told <= (ours > want ? 0.5 : 0.1) * ours);
+  if (nearer || (theirs <= as_exact(q) && work < 0.8)) return better;
+  // A fixed step does not ask for an error.
+  const double enough = q.adaptive() ? want : std::max(3 * ours, 1e-9);
+  if ((told <= enough && work < 0.5) || (told <= 0.1 * ours && work < 2)) return fair;
+  return ours > want && told <= std::max(want, 0.3 * ours) && told < 0.5 * ours ? dear : none;
 }
 
 /// The last time up to which two runs, or a run and the truth, agree on the solution, of the size
 /// that it has there.
 double agreed_until(Inquiry& q, const Run& one, const Run& other) {
-  constexpr std::size_t parts = 60, around = 6;
+  constexpr std::size_t parts = 60, around = 1;
   constexpr double near = 1e-3;
   const double t0 = q.c.t0, end = q.run.request.stops.back();
   const std::size_t n = q.c.y0.size();
@@ -144,19 +161,64 @@ double wanted(const Inquiry& q) {
   return q.adaptive() ? q.run.request.tolerance.relative : usual_tolerance;
 }
 
+void try_as_exact(Inquiry& q) {
+  if (!q.known || !q.run.ok() || q.no_tolerance_helps()) return;
+  if (!(q.difference(q.run) <= 10 * wanted(q))) return;
+  const double target = as_exact(q), own = work_of(q.why.outcome.counters, q.c);
+  constexpr double clearly = 0.7, part = 0.4;  // of the run's work, and of its error
+  // The error goes in proportion to the tolerance, and the work by the order.
+  const auto ratio_of = [&](const Run& run) {
+    return std::max(1e-6, part * target / std::max(q.difference(run), 1e-16));
+  };
+  const auto foreseen = [&](const Run& run) {
+    constexpr double usual_order = 5;
+    const double order = q.c.entrants.find(run.solver)->info.order;
+    return work_of(run.outcome.counters, q.c) *
+           std::pow(ratio_of(run), -1 / (std::isnan(order) ? usual_order : order));
+  };
+  std::set<std::string> tried;
+  constexpr std::size_t most = 4;
+  while (tried.size() < most && q.time_for_more(0.15)) {
+    // The cheapest of the runs that are left is the next, as it is foreseen.
+    const Run* next = nullptr;
+    for (const Run& run : q.others)
+      if (q.difference(run) <= far_off && run.request.mode == Mode::adaptive &&
+          !tried.contains(run.solver) && (!next || foreseen(run) < foreseen(*next)))
+        next = &run;
+    if (!next || !(foreseen(*next) < clearly * own)) return;
+    const std::string solver = next->solver;
+    tried.insert(solver);
+    constexpr int corrections = 2;
+    for (int k = 0; k < corrections && next->ok() && !(q.difference(*next) <= target); ++k) {
+      Request request = next->request;
+      const double relative = of_two_digits(request.tolerance.relative * ratio_of(*next));
+      if (relative < 1e-13) break;
+      std::vector<double> absolute = request.tolerance.with_relative(relative).absolutes();
+      std::ranges::transform(absolute, absolute.begin(), of_two_digits);
+      request.tolerance = Tolerance(relative, absolute);
+      next = &q.others[q.also(solver, request, 0.1)];
+    }
+  }
+}
+
 void choose(Inquiry& q) {
   for (std::size_t k = 0; k < q.others.size(); ++k)
     q.why.others[k].difference = q.difference(q.others[k]);
   q.why.better.reset();
   // Error first: as much as was asked for is enough, and then the work decides.
   const double end = q.run.request.stops.back();
-  std::array<double, 3> least{infinity, infinity, infinity};
+  std::array<double, 4> least{infinity, infinity, infinity, infinity};
   for (std::size_t k = 0; k < q.why.others.size(); ++k) {
     const Other& other = q.why.others[k];
-    if (!is_better(q, other)) continue;
-    const bool whole = other.reached == end;
-    const double error = whole && other.difference > 10 * wanted(q) ? other.difference : 0;
-    const std::array<double, 3> cost{whole ? 0.0 : 1.0, error, work_of(other.counters, q.c)};
+    Worth worth = worth_of(q, other);
+    if (worth == Worth::none) continue;
+    // The run with another absolute tolerance comes first where that is at fault.
+    if (q.found(Cause::absolute) && other.solver != q.why.solver)
+      worth = std::max(worth, Worth::fair);
+    const bool whole = other.reached == end && other.difference <= far_off;
+    const double error = other.difference > 10 * wanted(q) ? other.difference : 0;
+    const std::array cost{whole ? 0.0 : 1.0, static_cast<double>(worth), error,
+                          work_of(other.counters, q.c)};
     if (cost < least) least = cost, q.why.better = k;
   }
 }
@@ -169,13 +231,6 @@ void try_settings(Inquiry& q) {
   if (worth(Cause::rounding)) {
     request.tolerance =
         q.run.request.tolerance.with_relative(std::max(1e-12, request.tolerance.relative));
-    q.also(q.why.solver, request, 0.3);
-  } else if (worth(Cause::absolute)) {
-    std::vector<double> absolute(q.sizes.size());
-    for (std::size_t i = 0; i < absolute.size(); ++i)
-      absolute[i] = std::min(request.tolerance.absolute(i),
-                             q.sizes[i] > 0 ? request.tolerance.relative * q.sizes[i] : infinity);
-    request.tolerance = Tolerance(request.tolerance.relative, absolute);
     q.also(q.why.solver, request, 0.3);
   }
   if (worth(Cause::pulse)) try_equal_steps(q, q.pulse);

@@ -63,6 +63,7 @@ struct Inquiry {
   double pulse = 0, period = 0;  ///< as long as what the run does not see; 0: nothing was found
   std::optional<Run> looser;     ///< of an adaptive run
   double looser_by = 100;        ///< its tolerance over the run's; below 1: there was no room
+  bool parted = false;           ///< whether that run ends elsewhere
   std::vector<double> sizes;     ///< by component, the largest along the solution
   std::vector<Sample> samples;
   std::vector<Kink> kinks;
@@ -84,7 +85,7 @@ struct Inquiry {
   /// Whether that share of the seconds is left.
   bool time_for_more(double share) const;
   void keep(const Run& from);
-  /// Makes another run and keeps it; returns its index in why.others.
+  /// Makes another run, if it was not made, and keeps it; returns its index in why.others.
   std::size_t also(const std::string& solver, const Request& request, double share);
   /// The same run with states along it.
   Run along(const Run& of) const;
@@ -116,6 +117,8 @@ double wanted(const Inquiry& q);
 void try_others(Inquiry& q);
 /// What the causes themselves suggest: the same solver with another setting, or a shorter run.
 void try_settings(Inquiry& q);
+/// Makes the cheapest of the others as exact as a run whose error is not at fault.
+void try_as_exact(Inquiry& q);
 /// Chooses the best of the others that do better.
 void choose(Inquiry& q);
 /// The run to a tolerance that came farthest, this one or another.
@@ -135,6 +138,8 @@ void share_out(Inquiry& q);
 void look_for_kinks(Inquiry& q);
 void look_at_jacobian(Inquiry& q);
 void look_at_tolerances(Inquiry& q);
+/// Finds an absolute tolerance above the size of a component; the run with another one tells.
+void look_at_absolutes(Inquiry& q);
 /// Pulses and periods that the run steps over.
 void look_for_unseen(Inquiry& q);
 /// How errors grow by the problem itself.

@@ -13,7 +13,7 @@ namespace odeum::why {
 namespace {
 
 /// A smaller share of the evaluations is not worth a word.
-constexpr double least_part = 0.04;
+constexpr double least_part = 0.01;
 
 /// f along the path from one state to another, by the part of the time between them.
 class Between {

@@ -38,7 +38,16 @@ Request comparable(const Inquiry& q) {
   Request request = q.run.request;
   request.record_steps = false;
   request.mode = Mode::adaptive;
-  if (!q.adaptive()) set_tolerance(request, q.c, usual_tolerance);
+  if (q.adaptive()) return request;
+  set_tolerance(request, q.c, usual_tolerance);
+  double start = 0;
+  for (const double y : q.c.y0) start = std::max(start, std::abs(y));
+  if (q.run.ok() || !(start > 0)) return request;
+  // The scale along a solution that ends may be far beyond what it was at the start.
+  std::vector<double> absolute(q.c.y0.size());
+  for (std::size_t i = 0; i < absolute.size(); ++i)
+    absolute[i] = std::min(request.tolerance.absolute(i), usual_tolerance * start);
+  request.tolerance = Tolerance(usual_tolerance, absolute);
   return request;
 }
 
@@ -59,10 +68,6 @@ Request tighter(const Inquiry& q) {
             : 0.01 * request.tolerance.absolute(i));
   request.tolerance = Tolerance(relative, absolute);
   return request;
-}
-
-const double* end_of(const Run& run, std::size_t n) {
-  return run.outcome.states.data() + run.outcome.states.size() - n;
 }
 
 std::string family_of(const Inquiry& q, const std::string& solver) {
@@ -126,38 +131,39 @@ void follow(Inquiry& q) {
   if (nearest && q.difference(*nearest) <= far_off) q.trusted = std::move(nearest);
 }
 
-/// Looks for two runs of different families that agree.
+/// Looks for two runs of different families that agree, best to what was asked for.
 void agree(Inquiry& q) {
-  std::vector<Run> tight;
+  std::vector<Run> runs;
   const auto take = [&](Run run) {
-    if (!run.ok() || has_unseen(q, run)) return false;
-    for (Run& other : tight) {
-      if (family_of(q, other.solver) == family_of(q, run.solver)) continue;
+    if (!run.ok() || has_unseen(q, run)) return;
+    for (const Run& other : runs) {
       const double apart = q.apart(run, other);
-      if (!(apart <= agreed)) continue;
-      const double* const end = end_of(run, q.c.y0.size());
-      q.known = Known{
-          {end, end + q.c.y0.size()}, apart, fmt::format("{} and {}", other.solver, run.solver)};
-      q.trusted = std::move(run);
-      return true;
+      if (family_of(q, other.solver) == family_of(q, run.solver) || !(apart <= agreed) ||
+          (q.known && apart >= q.known->doubt))
+        continue;
+      q.known = Known{{run.end(), run.end() + q.c.y0.size()},
+                      apart,
+                      fmt::format("{} and {}", other.solver, run.solver)};
+      q.trusted = run;
     }
-    tight.push_back(std::move(run));
-    return false;
+    runs.push_back(std::move(run));
   };
+  const auto well = [&] { return q.known && q.known->doubt <= wanted(q); };
   for (const std::size_t k : in_order(q)) {
-    if (tight.size() >= most_tight || !q.time_for_more(0.35)) break;
+    if (runs.size() >= most_tight || well() || !q.time_for_more(0.35)) break;
     Run run = q.make(q.c, q.others[k].solver, tighter(q), states_along(q), 0.25);
     if (run.ok()) q.keep(run);
-    if (take(std::move(run))) return;
+    take(std::move(run));
   }
+  if (q.known) return;
   // Two tight runs that do not agree say so; where fewer could be paid for, the others are taken.
-  if (tight.size() >= 2) {
-    q.disagree = std::pair(std::move(tight[0]), std::move(tight[1]));
+  if (runs.size() >= 2) {
+    q.disagree = std::pair(std::move(runs[0]), std::move(runs[1]));
     return;
   }
   for (const std::size_t k : in_order(q)) {
-    if (!q.time_for_more(0.25)) break;
-    if (take(q.along(q.others[k]))) return;
+    if (q.known || !q.time_for_more(0.25)) break;
+    take(q.along(q.others[k]));
   }
 }
 
@@ -206,6 +212,14 @@ Run Inquiry::along(const Run& of) const {
 }
 
 std::size_t Inquiry::also(const std::string& solver, const Request& request, double share) {
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const Request& made = others[k].request;
+    if (others[k].solver == solver && others[k].ok() && made.mode == request.mode &&
+        made.steps == request.steps && made.stops == request.stops &&
+        made.tolerance.relative == request.tolerance.relative &&
+        made.tolerance.absolutes() == request.tolerance.absolutes())
+      return k;
+  }
   keep(make(c, solver, request, 0, share));
   return others.size() - 1;
 }
@@ -238,14 +252,14 @@ double Inquiry::distance(const double* one, const double* other) const {
 }
 
 double Inquiry::apart(const Run& one, const Run& other) const {
-  return distance(end_of(one, c.y0.size()), end_of(other, c.y0.size()));
+  return distance(one.end(), other.end());
 }
 
 double Inquiry::difference(const Run& of) const {
   if (!known) return nan;
   if (!of.ok()) return infinity;
   if (of.request.stops.back() != run.request.stops.back()) return nan;
-  return distance(end_of(of, c.y0.size()), known->end.data());
+  return distance(of.end(), known->end.data());
 }
 
 bool Inquiry::time_for_more(double share) const { return left() > share * seconds; }
@@ -253,7 +267,7 @@ bool Inquiry::time_for_more(double share) const { return left() > share * second
 void try_others(Inquiry& q) {
   // Few evaluations at first: whoever needs ten times those of another is none to compare with.
   constexpr std::uint64_t least = 200'000, times = 5;
-  std::uint64_t most = 5'000'000;
+  std::uint64_t most = 1'000'000;
   for (const char* id : comparisons) {
     const Entrant* const entrant = q.c.entrants.find(id);
     if (!entrant || !entrant->unfit.empty() || (id == q.why.solver && q.adaptive())) continue;

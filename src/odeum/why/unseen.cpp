@@ -110,7 +110,15 @@ class Step {
   std::vector<std::vector<double>> slopes_;
 };
 
+/// Adds the pulse where the run is near the solution before it; else the run misses more than that.
 void add_pulse(Inquiry& q, const Interval& unseen) {
+  if (q.trusted && q.run.moments.size() > 1) {
+    const std::vector<Moment>& known = q.trusted->moments;
+    const auto after = std::ranges::upper_bound(known, unseen.from, {}, &Moment::t);
+    const Moment& before = after == known.begin() ? known.front() : *(after - 1);
+    const std::vector<double> own = Path(q.c, q.run.moments).state(before.t);
+    if (!(q.distance(own.data(), before.y.data()) <= far_off)) return;
+  }
   q.pulse = unseen.to - unseen.from;
   q.add(Cause::pulse, nan, unseen.from,
         fmt::format("the run steps over t = {:.6g} to {:.6g}, where {}'s right-hand side is "

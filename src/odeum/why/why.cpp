@@ -161,13 +161,14 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   sample(q, q.run, step);
   q.progress.advance();
   try_others(q);
+  if (q.adaptive()) look_at_absolutes(q);
   // Where others reach the end, so does the solution, and a run that was cut short says no more;
   // nor does a fixed step about where it ends.
   const bool unpaid = q.run.outcome.status == Status::over_budget;
   if (!q.run.ok() && !q.found(Cause::unfit)) {
     if (!q.trusted)
       look_at_end(q, q.adaptive() ? q.run : q.along(farthest(q)));
-    else if (q.adaptive() && !unpaid)
+    else if (q.adaptive() && !unpaid && !q.found(Cause::absolute))
       look_for_leaving(q);
   }
   if (q.adaptive()) {
@@ -180,6 +181,7 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   }
   if (q.run.ok() || unpaid) put_in_order(q);
   try_settings(q);
+  try_as_exact(q);
   choose(q);
   q.why.difference = q.difference(q.run);
   if (q.known) {
