@@ -14,9 +14,8 @@ namespace {
 
 Case case_of(const std::string& stem) {
   const std::string file = std::string(ODEUM_SOURCE_DIR "/cases/problems/") + stem + ".yaml";
-  return cases::text_statements(file, read_text_file(file, "problem", 100'000), stem)
-      .front()
-      .make();
+  return odeum::case_of(
+      cases::text_statements(file, read_text_file(file, "problem", 100'000), stem).front());
 }
 
 /// The largest error at the end, over the scale of the component.

@@ -17,9 +17,8 @@ const char* const adaptive[] = {"odeum/radau_iia5_residual", "odeum/radau_iia9_r
 
 Case case_of(const std::string& stem) {
   const std::string file = std::string(ODEUM_SOURCE_DIR "/cases/problems/") + stem + ".yaml";
-  return cases::text_statements(file, read_text_file(file, "problem", 100'000), stem)
-      .front()
-      .make();
+  return odeum::case_of(
+      cases::text_statements(file, read_text_file(file, "problem", 100'000), stem).front());
 }
 
 std::vector<double> end_of(const Case& c, const char* solver, const Request& request) {
@@ -124,7 +123,7 @@ TEST(ResidualMethods, RosenbrockRefusesFactorsThatChange) {
   const std::string text =
       "name: m\nstates: {x: 1, z: 1}\nresiduals: [\"x*x' + x - z\", \"z^3 + z - "
       "2*x\"]\ntime: {end: 1}\n";
-  const Case c = cases::text_statements("m.yaml", text, "m").front().make();
+  const Case c = odeum::case_of(cases::text_statements("m.yaml", text, "m").front());
   const Outcome outcome =
       tests::find_entrant(c, "odeum/rodas4_residual").solve(tests::adaptive_request(1e-6, {1}));
   EXPECT_EQ(outcome.status, Status::refused);

@@ -114,7 +114,7 @@ TEST(Residuals, WithMistakesAreRefusedWithTheirPlace) {
 void expect_printed(const std::string& stem, const std::vector<double>& printed, double units) {
   const std::string file = folder + stem + ".yaml";
   const Case c =
-      cases::text_statements(file, read_text_file(file, "problem", 100'000), stem).front().make();
+      case_of(cases::text_statements(file, read_text_file(file, "problem", 100'000), stem).front());
   std::vector<double> y(printed.size());
   ASSERT_TRUE(c.truth.at(c.stops.back(), y.data()));
   EXPECT_LT(c.truth.floor, 1e-12);

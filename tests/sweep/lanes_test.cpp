@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t many = 10'000;
 
 Case case_of_text(const std::string& text) {
-  return cases::text_statements("lanes.yaml", text, "lanes_test").front().make();
+  return case_of(cases::text_statements("lanes.yaml", text, "lanes_test").front());
 }
 
 Plan plan_of(const Case& c, const std::vector<std::string>& over, const std::string& solver,

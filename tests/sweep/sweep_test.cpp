@@ -13,7 +13,7 @@ namespace odeum::sweep::sweep_test {
 namespace {
 
 Case case_of_text(const std::string& text) {
-  return cases::text_statements("sweep.yaml", text, "sweep_test").front().make();
+  return case_of(cases::text_statements("sweep.yaml", text, "sweep_test").front());
 }
 
 Request adaptive(const Case& c, double tolerance) {

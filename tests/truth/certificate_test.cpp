@@ -128,7 +128,7 @@ TEST_F(CertificateOf, IsOfTheEquationsThatAUsersTextStates) {
     const std::string text = fmt::format(
         "states: {{f: 1, f1: 0, f2: 0.5}}\nequations: {{f: f1, f1: f2, {}}}\ntime: {{end: 1}}\n",
         equations);
-    const Case c = cases::text_statements("third.yaml", text, "third").front().make();
+    const Case c = case_of(cases::text_statements("third.yaml", text, "third").front());
     EXPECT_NE(c.truth.source.find("; proved: "), std::string::npos) << c.truth.source;
   }
 }
