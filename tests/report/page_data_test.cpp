@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/report/columns.hpp"
 #include "odeum/studies/precision/precision.hpp"
@@ -165,7 +166,7 @@ TEST(PageData, TheFastestOfEachLibraryNamesARunThatReachesTheError) {
 TEST(PageData, QuestionsAreCasesThatAQuickReportMeasures) {
   const std::vector<std::string> quick = quick_cases();
   EXPECT_EQ(quick.size(), 9U);
-  for (const std::string& id : quick) EXPECT_NO_THROW(find_case(id)) << id;
+  for (const std::string& id : quick) EXPECT_NO_THROW(known_case(id)) << id;
 }
 
 TEST(Outline, OfADiskIsACircle) {
@@ -195,7 +196,7 @@ TEST(Outline, ClosesAlongTheEdgesOfThePlaneAndKeepsPartsApart) {
 
 TEST(Spectrum, OfASmallCaseIsThatOfItsMatrix) {
   // y'' + 0.5 y' + 5 y = 0: -0.25 +- sqrt(0.0625 - 5).
-  const auto z = cases::spectrum_of(find_case("damped_oscillator_underdamped")).eigenvalues;
+  const auto z = cases::spectrum_of(known_case("damped_oscillator_underdamped")).eigenvalues;
   ASSERT_EQ(z.size(), 1U);
   EXPECT_NEAR(z[0].real(), -0.25, 1e-12);
   EXPECT_NEAR(z[0].imag(), std::sqrt(5 - 0.0625), 1e-12);
@@ -203,7 +204,7 @@ TEST(Spectrum, OfASmallCaseIsThatOfItsMatrix) {
 
 TEST(Spectrum, IsThatOfTheEndWhereTheProblemBecomesStiffLater) {
   // Robertson's reactions begin with -0.04 and two zeros.
-  const cases::Spectrum spectrum = cases::spectrum_of(find_case("robertson_40"));
+  const cases::Spectrum spectrum = cases::spectrum_of(known_case("robertson_40"));
   EXPECT_EQ(spectrum.time, 40);
   double fastest = 0;
   for (const auto& z : spectrum.eigenvalues) fastest = std::min(fastest, z.real());
@@ -216,10 +217,10 @@ TEST(Spectrum, OfAClothHasItsFastestVibration) {
   // Springs a hundred times stiffer vibrate ten times faster at the start; the end, where the soft
   // cloth has stretched more, changes that by a tenth at most.
   double fastest = 0;
-  for (const auto& z : cases::spectrum_of(find_case("cloth11_two_way")).eigenvalues)
+  for (const auto& z : cases::spectrum_of(known_case("cloth11_two_way")).eigenvalues)
     fastest = std::max(fastest, std::abs(z));
   double stiffer = 0;
-  for (const auto& z : cases::spectrum_of(find_case("cloth11_two_way_k1e3")).eigenvalues)
+  for (const auto& z : cases::spectrum_of(known_case("cloth11_two_way_k1e3")).eigenvalues)
     stiffer = std::max(stiffer, std::abs(z));
   EXPECT_NEAR(stiffer / fastest, 10, 1);
 }

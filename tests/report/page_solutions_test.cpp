@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/studies/runner.hpp"
 #include "odeum/trajectories/solutions.hpp"
@@ -32,7 +33,7 @@ CaseRun adaptive_run_of(const Case& c, const std::string& solver, double toleran
 }
 
 TEST(PageSolutions, OutputsAreOnStepsAndEndAtTheHorizon) {
-  const Case& c = study::find_case("kepler_e09");
+  const Case& c = known_case("kepler_e09");
   for (const std::uint64_t steps : {1, 7, 99, 100, 101, 320, 1777}) {
     const Request request = run_of(c, "odeum/rk4", steps).request;
     EXPECT_EQ(request.steps, steps);
@@ -47,7 +48,7 @@ TEST(PageSolutions, OutputsAreOnStepsAndEndAtTheHorizon) {
 // Kepler's equation, solved by Newton's method: e = 0.9, semi-major axis and mass 1, from the
 // pericentre.
 TEST(PageSolutions, AComputedExactCurveIsExact) {
-  const Case& c = study::find_case("kepler_e09");
+  const Case& c = known_case("kepler_e09");
   const ExactStates exact = exact_curve(c, {0.25, 2, 5.5, 9.75});
   ASSERT_TRUE(exact.everywhere);
   EXPECT_LT(exact.floor, 1e-10);
@@ -65,7 +66,7 @@ TEST(PageSolutions, AComputedExactCurveIsExact) {
 }
 
 TEST(PageSolutions, OfALargeProblemTheTruthIsDrawnWhereItIsKnown) {
-  const Case& c = study::find_case("cloth11_two_way");
+  const Case& c = known_case("cloth11_two_way");
   const ExactStates exact = exact_curve(c, {0.1, 0.25, 0.3, 1});
   EXPECT_FALSE(exact.everywhere);
   EXPECT_EQ(exact.states.size(), 2U);
@@ -77,7 +78,7 @@ TEST(PageSolutions, OfALargeProblemTheTruthIsDrawnWhereItIsKnown) {
 
 // The run for it took minutes, and was thrown away.
 TEST(PageSolutions, ATruthOfFewDigitsChecksNoCurve) {
-  Case c = study::find_case("kepler_e09");
+  Case c = known_case("kepler_e09");
   const auto at = c.truth.at;
   c.truth.at = [at, &c](double t, double* y) { return t == c.stops.front() && at(t, y); };
   const OdeView inner = c.problem.view;
@@ -101,7 +102,7 @@ TEST(PageSolutions, ATruthOfFewDigitsChecksNoCurve) {
 
 // Truth at more times than there are outputs made a line of marks.
 TEST(PageSolutions, ExactStatesAreALineOnlyWhereEachOutputHasOne) {
-  const Case& c = study::find_case("cloth11_two_way");
+  const Case& c = known_case("cloth11_two_way");
   CaseRun run;
   run.request.stops = {0.3, c.stops.back()};
   const ExactStates exact = exact_states(c, {run});
@@ -112,7 +113,7 @@ TEST(PageSolutions, ExactStatesAreALineOnlyWhereEachOutputHasOne) {
 }
 
 TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
-  const Case& c = study::find_case("damped_oscillator_underdamped");
+  const Case& c = known_case("damped_oscillator_underdamped");
   const CaseRun run = run_of(c, "odeum/explicit_euler", 80), finer = run_of(c, "odeum/rk4", 80);
   const std::vector<double>& stops = run.request.stops;
   ASSERT_EQ(run.outcome.status, Status::ok);
@@ -147,7 +148,7 @@ TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
 
 // The absolute tolerance was one for all components: another run than that of the row.
 TEST(PageSolutions, ACurveIsTheRunOfItsRow) {
-  const Case& c = study::find_case("robertson_40");
+  const Case& c = known_case("robertson_40");
   const CaseRun drawn = adaptive_run_of(c, "odeum/radau_iia5", 1e-6);
   ASSERT_EQ(drawn.outcome.status, Status::ok);
   Request alone{.mode = Mode::adaptive, .stops = {c.stops.back()}};
@@ -162,7 +163,7 @@ TEST(PageSolutions, ACurveIsTheRunOfItsRow) {
 
 // Two tolerances of one decade had one curve, that of the last.
 TEST(PageSolutions, EachToleranceHasItsCurve) {
-  const Case& c = study::find_case("kepler_e09");
+  const Case& c = known_case("kepler_e09");
   Solutions solutions(c, c.stops.back(), exact_curve(c, {c.stops.back()}));
   solutions.add(adaptive_run_of(c, "odeum/dormand_prince54", 1e-3));
   solutions.add(adaptive_run_of(c, "odeum/dormand_prince54", 0.00042));

@@ -11,6 +11,7 @@
 #include <regex>
 #include <sstream>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
@@ -28,7 +29,7 @@ struct Solved {
 };
 
 Solved solve(const std::string& case_id, const std::string& solver, Request request) {
-  const Case& c = find_case(case_id);
+  const Case& c = known_case(case_id);
   if (request.stops.empty()) request.stops = c.stops;
   Solved solved{find_solver(c.entrants, solver).solve(request), 0};
   EXPECT_EQ(solved.outcome.status, Status::ok) << case_id << ' ' << solver;
@@ -73,7 +74,7 @@ double fewest(const std::string& case_id, const std::string& solver, double erro
 double energy_error(const std::string& solver, std::uint64_t count, double end) {
   std::vector<double> stops;
   for (int k = 1; k <= 100; ++k) stops.push_back(end * k / 100);
-  const Case& c = find_case("osc_undamped");
+  const Case& c = known_case("osc_undamped");
   const Solved solved = solve(c.id, solver, steps(count, stops));
   double worst = 0;
   for (std::size_t k = 0; k < stops.size(); ++k)
@@ -84,7 +85,7 @@ double energy_error(const std::string& solver, std::uint64_t count, double end) 
 
 /// The part of its amplitude that x'' = -x keeps.
 double amplitude_left(const std::string& solver, std::uint64_t count, double end) {
-  const Case& c = find_case("osc_undamped");
+  const Case& c = known_case("osc_undamped");
   const Solved solved = solve(c.id, solver, steps(count, {end}));
   return std::sqrt(c.energy(solved.outcome.states.data()) / c.energy(c.y0.data()));
 }
@@ -119,7 +120,7 @@ double chain_stiffness(double rate, std::uint64_t sweeps) {
 /// The step to which velocity Verlet is stable: 2 over the largest frequency.
 double verlet_step(const std::string& case_id) {
   double fastest = 0;
-  for (const auto& z : cases::spectrum_of(find_case(case_id)).eigenvalues)
+  for (const auto& z : cases::spectrum_of(known_case(case_id)).eigenvalues)
     fastest = std::max(fastest, std::abs(z));
   return 2 / fastest;
 }

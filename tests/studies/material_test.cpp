@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stiffness and damping of springs under own methods, against their closed forms.
 #include "odeum/studies/material/material.hpp"
+#include "odeum/cases/catalogue.hpp"
 
 #include <gtest/gtest.h>
 
@@ -101,7 +102,7 @@ TEST(Material, WhatDoesNotFitSaysSo) {
 TEST(CommonUse, IsThatOfOneExplicitRungeKuttaMethodOfALibrary) {
   std::map<std::pair<std::string, CommonUse>, std::vector<std::string>> found;
   int engines = 0;
-  for (const Entrant& entrant : find_case("cloth11_two_way").entrants) {
+  for (const Entrant& entrant : known_case("cloth11_two_way").entrants) {
     const SolverInfo& info = entrant.info;
     engines += info.common_use == CommonUse::engine;
     if (info.common_use == CommonUse::none || info.family != "explicit_rk") continue;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/studies/foreseen.hpp"
 #include "odeum/studies/runner.hpp"
 
@@ -40,7 +41,7 @@ TimedSolver timed_solver(const Entrant& entrant, const Entrant* inlined) {
 
 // A refusal or a failure takes no time: ranked, it would be the fastest of all.
 TEST(Timing, ARunThatFailsWhenTimedHasNoTime) {
-  const TimedCase stage(find_case("lotka_volterra"));
+  const TimedCase stage(known_case("lotka_volterra"));
   const Entrant good = entrant_that(Status::ok), refusing = entrant_that(Status::refused),
                 failing = entrant_that(Status::newton_failed);
   std::vector<TimedSolver> solvers{timed_solver(good, &refusing), timed_solver(failing, nullptr)};
@@ -56,7 +57,7 @@ TEST(Timing, ARunThatFailsWhenTimedHasNoTime) {
 
 // A run that is far behind and takes a millisecond an evaluation is timed by its guarded run.
 TEST(Timing, ASlowRunIsNotMadeTwice) {
-  const TimedCase stage(find_case("lotka_volterra"));
+  const TimedCase stage(known_case("lotka_volterra"));
   int solves = 0;
   Entrant good = entrant_that(Status::ok), slow = good;
   slow.solve = [&solves, solve = good.solve](const Request& request) {
@@ -79,7 +80,7 @@ TEST(Timing, ASlowRunIsNotMadeTwice) {
 
 // The guard of cheap evaluations would be timed with them: 4 ns of each 40.
 TEST(Timing, ARunOfCheapEvaluationsIsTimedWithoutItsGuard) {
-  const TimedCase stage(find_case("lotka_volterra"));
+  const TimedCase stage(known_case("lotka_volterra"));
   const Entrant good = entrant_that(Status::ok);
   std::vector<TimedSolver> solvers{timed_solver(good, nullptr), timed_solver(good, nullptr)};
   TimedRun& behind = solvers[1].trials[0];
@@ -162,7 +163,7 @@ TimedSolver with_runs(const TimedCase& stage, const char* id,
 // The coarsest run of the second has far less than the error. Only its time counted, so that one
 // more or less decided whether it was given fewer steps.
 TEST(Timing, ASolverThatCanDoWithFewerStepsIsSearched) {
-  const TimedCase stage(find_case("damped_oscillator_undamped"));
+  const TimedCase stage(known_case("damped_oscillator_undamped"));
   const auto few = static_cast<double>(8 * stage.c.settings.steps_multiple);
   std::vector<TimedSolver> solvers{
       with_runs(stage, "odeum/rk4", {{few, 4e-3, 300}, {2 * few, 2.5e-4, 460}}),

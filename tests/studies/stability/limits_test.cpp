@@ -237,7 +237,7 @@ TEST(Limits, AMutantIsCaught) {
   Entrant entrant{.info = info_of_own<Mutant>(), .unfit = {}, .solve = {}};
   entrant.solve = [&](const Request& request) { return solve_own<Mutant>(contest, request); };
   probe.entrants.add(entrant);
-  GrowthMeter meter(probe, entrant, false, limit_length);
+  measure::GrowthMeter meter(probe, entrant, false, measure::limit_length);
   const double measured = judge::find_limit([&](double x) { return meter.measure(-x, 0); }).limit;
   const double theory = own_by_key()[{"rk4", "real"}].theory;
   // dR/da is of the order of z^3/6 = 3.6 there, times 5e-4, over dR/dz of the order of 1.

@@ -61,7 +61,7 @@ struct Stage {
   }
 
   judge::LimitFound limit(double re, double im) const {
-    GrowthMeter meter(probe, probe.entrants[0], false, limit_length);
+    measure::GrowthMeter meter(probe, probe.entrants[0], false, measure::limit_length);
     return judge::find_limit([&](double x) { return meter.measure(re * x, im * x); });
   }
 };
