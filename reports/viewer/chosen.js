@@ -44,8 +44,8 @@
   const sensible = (id, data) => {
     const key = (row) => `${idOf(row)}:${row.setting_kind === 'tol' ? 'adaptive' : 'fixed'}`;
     const rows = facts.fastest.filter((row) => row.case === id);
-    // A library that does not reach the middle error has the row that is fastest at the smallest error it
-    // reaches.
+    // A library that does not reach the middle error has the row that is fastest at the smallest
+    // error it reaches.
     const reached = (row) =>
       sameError(row.error, 1e-6) ||
       (row.error > 1e-6 &&

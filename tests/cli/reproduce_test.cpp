@@ -40,7 +40,7 @@ TEST(Reproduce, ATimedRunHasTheErrorAndTheCountsOfItsRow) {
         run_of(fmt::format("kepler_e09 --solver odeum/{} {} --stops speed", row.solver, setting));
     EXPECT_EQ(run["error_max"], row.error) << row.solver << ' ' << setting;
     EXPECT_EQ(run["rhs_evaluations"], row.counters.rhs_evaluations) << row.solver << ' ' << setting;
-    EXPECT_EQ(run["rejected"], row.counters.rejected_steps) << row.solver << ' ' << setting;
+    EXPECT_EQ(run["rejected_steps"], row.counters.rejected_steps) << row.solver << ' ' << setting;
   }
   EXPECT_GE(made, 4);
 }

@@ -126,7 +126,10 @@ TEST(Words, CompletionsAndTheManualNameEveryOption) {
   EXPECT_TRUE(holds(manual, "\\-\\-resume"));
   const std::string zsh = shell("odeum completion zsh").output;
   EXPECT_TRUE(zsh.starts_with("#compdef odeum\n"));
-  EXPECT_TRUE(holds(zsh, "*--format[table, csv or json]: :(table csv json)")) << zsh;
+  EXPECT_TRUE(holds(zsh,
+                    "'*--format[what is printed\\: table (for people), csv (rows), or json (all of "
+                    "it)]: :(table csv json)'"))
+      << zsh;
   const std::string fish = shell("odeum completion fish").output;
   EXPECT_TRUE(holds(fish, "__fish_seen_subcommand_from list' -l format -r -f -a"));
   EXPECT_EQ(shell("odeum completion csh").code, 2);

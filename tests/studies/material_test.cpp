@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stiffness and damping of springs under own methods, against their closed forms.
 #include "odeum/studies/material/material.hpp"
-#include "odeum/cases/catalogue.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
+
+#include "odeum/cases/catalogue.hpp"
 
 namespace odeum::study::material_test {
 namespace {

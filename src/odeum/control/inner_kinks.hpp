@@ -20,7 +20,20 @@ namespace odeum {
 template <Ode P>
 class InnerKinks {
  public:
-  void begin() { count_ = 0; }
+  /// Before a trial step, of which the sample that was kept is the start.
+  void begin() {
+    count_ = 0;
+    if (kept_.f.empty()) return;
+    if (samples_.empty()) samples_.emplace_back();
+    samples_[count_++] = kept_;
+  }
+  /// The last in time, after a trial step that is accepted.
+  void keep_end() {
+    if (count_ == 0) return;
+    const auto end = samples_.begin() + static_cast<std::ptrdiff_t>(count_);
+    kept_ = *std::max_element(samples_.begin(), end,
+                              [](const Sample& a, const Sample& b) { return a.t < b.t; });
+  }
   /// Keeps an evaluation of n components from index `first` on, among `size`.
   void note(double t, const double* values, std::size_t n, std::size_t first, std::size_t size) {
     if (count_ == samples_.size()) samples_.emplace_back();
@@ -107,6 +120,7 @@ class InnerKinks {
 
   std::vector<Sample> samples_;  ///< the first `count_` of them
   std::size_t count_ = 0;
+  Sample kept_ = {};  ///< without values: none
   State<P> off_{};
 };
 

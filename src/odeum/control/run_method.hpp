@@ -57,6 +57,13 @@ constexpr bool misses_kinks() {
   return false;
 }
 
+/// Whether M evaluates f at the end of each step, and takes it as that of the next one's start.
+template <class M>
+constexpr bool sees_ends() {
+  if constexpr (requires { M::sees_ends; }) return M::sees_ends;
+  return false;
+}
+
 namespace detail {
 /// The trial steps of M: its own, those of an embedded pair, else step doubling.
 template <class M, Ode P>
@@ -97,7 +104,7 @@ class TrialInRange {
   using Watched = InRange<P>;
   struct Held {
     Held(const P& problem, double t0, const State<P>& y0, double end, const Tolerance& tolerance)
-        : range(problem, misses_kinks<M>()),
+        : range(problem, misses_kinks<M>(), sees_ends<M>()),
           watched(problem, range),
           steps(trial_steps_alone<M>(watched, t0, y0, end, tolerance)) {}
     SlopeRange<P> range;

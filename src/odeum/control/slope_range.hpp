@@ -23,9 +23,11 @@ template <Ode P>
 class SlopeRange {
  public:
   /// `looks_inside`: for jumps and kinks between the evaluations, too, see InnerKinks.
-  SlopeRange(const P& problem, bool looks_inside)
+  /// `sees_ends`: the method evaluates f at both ends, the start in the step before.
+  SlopeRange(const P& problem, bool looks_inside, bool sees_ends)
       : problem_(problem),
         looks_inside_(looks_inside),
+        sees_ends_(sees_ends),
         low_(make_state(problem)),
         high_(low_),
         f_(low_),
@@ -44,6 +46,11 @@ class SlopeRange {
   template <class Damp>
   bool has_ends(double t, double h, const State<P>& y, const State<P>& y_new,
                 const ErrorScale<State<P>>& scale, Damp&& damp) {
+    if (sees_ends_) {
+      if (inner_.matters(h, y_new, scale, damp)) return false;
+      inner_.keep_end();
+      return true;
+    }
     if (!(t == t_ && y == y_)) problem_.rhs(t, y.data(), f_.data());
     note(t);
     if (!has(h, y, scale, damp)) return false;
@@ -103,7 +110,7 @@ class SlopeRange {
   }
 
   const P& problem_;
-  bool looks_inside_;
+  bool looks_inside_, sees_ends_;
   InnerKinks<P> inner_;
   State<P> low_, high_, f_, y_, beyond_;
   double t_ = std::numeric_limits<double>::quiet_NaN();  ///< of f_ and y_

@@ -24,7 +24,7 @@ static_assert(proven<dormand_nystroem64_tableau>() && dormand_nystroem64_tableau
               dormand_nystroem64_tableau.reuses_last_stage());
 
 struct dormand_nystroem64 : NystroemMethod<dormand_nystroem64_tableau> {
-  static constexpr bool misses_kinks = true;
+  static constexpr bool misses_kinks = true, sees_ends = true;
   static constexpr MethodInfo info = described(
       {.id = "dormand_nystroem64",
        .source = "Dormand, El-Mikkawy, Prince, IMA J. Numer. Anal. 7 (1987) 235-250, RKN6(4)6FM"});

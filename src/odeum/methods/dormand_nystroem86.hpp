@@ -35,7 +35,7 @@ static_assert(proven<dormand_nystroem86_tableau>() && dormand_nystroem86_tableau
               dormand_nystroem86_tableau.reuses_last_stage());
 
 struct dormand_nystroem86 : NystroemMethod<dormand_nystroem86_tableau> {
-  static constexpr bool misses_kinks = true;
+  static constexpr bool misses_kinks = true, sees_ends = true;
   static constexpr MethodInfo info = described(
       {.id = "dormand_nystroem86",
        .source = "Dormand, El-Mikkawy, Prince, IMA J. Numer. Anal. 7 (1987) 423-430, RKN8(6)9FM"});

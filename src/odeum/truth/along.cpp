@@ -74,10 +74,12 @@ Look settled(const System& system, const std::vector<Real>& times) {
     Look finer = look_by(look, system, times, tolerance, parts);
     // Coarse steps may pass a pole.
     if (finer.reached() == 0 || (finer.reached() < look.reached() && !finer.ends)) break;
-    const std::size_t mark = finer.reached() - 1;
+    // Nothing was seen before beyond where the coarser run ended.
+    const bool farther = finer.reached() > look.reached();
+    const std::size_t mark = std::min(finer.reached(), look.reached()) - 1;
     const Along before = look.seen.at(mark), now = finer.seen.at(mark);
     look = std::move(finer);
-    if (std::ranges::equal(before.largest, now.largest, is_near) &&
+    if (!farther && std::ranges::equal(before.largest, now.largest, is_near) &&
         std::ranges::equal(before.dips, now.dips, is_near))
       break;
   }
