@@ -33,8 +33,8 @@
 
   // The tree of a text: ['row', ...], ['over', a, b], ['power', a, b], ['below', a, index],
   // ['primed', a, primes], ['root', a], ['space'], and with a text 'number', 'name', 'function',
-  // 'sign', 'tall' (brackets around fractions), 'unary' (before an operand). Throws where it is not a
-  // formula; `known`: whether a name of several letters is one.
+  // 'sign', 'tall' (brackets around fractions), 'unary' (before an operand). Throws where it is
+  // not a formula; `known`: whether a name of several letters is one.
   const treeOf = (text, known = () => false) => {
     const tokens = tokensOf(text);
     if (!tokens || !tokens.length) throw new Error('no formula');

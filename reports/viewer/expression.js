@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Expressions over rows, for the blocks and sentences of a study's page.md. A name is a column; a
-// word beside == or != that is not a column is a text. There is no eval: an expression becomes a tree,
-// the tree a function.
+// word beside == or != that is not a column is a text. There is no eval: an expression becomes a
+// tree, the tree a function.
 //
 //   status == ok and factor < 2 * limit             or, and, not, == != < <= > >=, + - * / ^, ( )
 //   if(c, a, b)  log10(x)  abs(x)  shade(x, a, b, c)   functions, see `functions`
@@ -39,8 +39,8 @@
   };
 
   const sorted = (list) => [...list].sort((a, b) => a - b);
-  // Functions of a list of values. Numbers that are not known are left out of min, max, mean, median
-  // and sum; where none is known, the first four are not known.
+  // Functions of a list of values. Numbers that are not known are left out of min, max, mean,
+  // median and sum; where none is known, the first four are not known.
   const extreme = (list, of) => (known(list).length ? known(list).reduce((a, b) => of(a, b)) : NaN);
   const aggregates = {
     count: (list) => list.length, min: (list) => extreme(list, Math.min),
