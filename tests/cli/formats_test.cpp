@@ -27,7 +27,7 @@ TEST_P(Formats, AreTheSameForEveryCommand) {
   };
   const std::string csv = printed("csv");
   EXPECT_TRUE(csv.starts_with("schema,")) << csv;
-  EXPECT_NE(csv.find("\n"), csv.size() - 1) << "no row";
+  EXPECT_NE(csv.find('\n'), csv.size() - 1) << "no row";
   EXPECT_TRUE(nlohmann::json::accept(printed("json")));
   for (const char* const table : {"table", "text"}) {
     const std::string text = printed(table);

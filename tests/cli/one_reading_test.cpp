@@ -30,7 +30,7 @@ int openings_of(const std::string& file, const std::string& command) {
   EXPECT_EQ(result.code, 0) << result.output;
   int count = 0;
   alignas(inotify_event) char events[1 << 14];
-  for (ssize_t bytes; (bytes = ::read(watch, events, sizeof events)) > 0;)
+  for (ssize_t bytes = 0; (bytes = ::read(watch, events, sizeof events)) > 0;)
     for (ssize_t at = 0; at < bytes; ++count)
       at += static_cast<ssize_t>(sizeof(inotify_event) +
                                  reinterpret_cast<const inotify_event*>(events + at)->len);

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "odeum/cases/parameters.hpp"
 #include "odeum/cases/set_problem.hpp"
 #include "odeum/cases/study_steps.hpp"
 #include "odeum/cases/text_truth.hpp"

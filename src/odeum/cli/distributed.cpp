@@ -59,13 +59,14 @@ std::string Session::output(const std::string& given) const {
   return is_alone() ? given : role == Role::merge ? out.string() : "";
 }
 
-std::unique_ptr<record::Store> store_of_part(const Session& here) {
-  if (here.role == Role::plan) return nullptr;
+std::unique_ptr<record::Store> store_of_part(const Session& session) {
+  if (session.role == Role::plan) return nullptr;
   constexpr auto no_limit = static_cast<std::uintmax_t>(-1);
-  const std::filesystem::path own =
-      here.role == Role::shard ? shard_folder(here.run, here.share.at, false) : here.run / "merge";
+  const std::filesystem::path own = session.role == Role::shard
+                                        ? shard_folder(session.run, session.share.at, false)
+                                        : session.run / "merge";
   auto store = std::make_unique<record::Store>(own / "results", no_limit);
-  for (const std::filesystem::path& folder : here.results) store->read_also(folder);
+  for (const std::filesystem::path& folder : session.results) store->read_also(folder);
   if (!store->problem().empty()) throw record::FileError(store->problem());
   return store;
 }

@@ -106,7 +106,7 @@ std::map<std::string, double> library_options(const RunOptions& options, const S
 Case with_sets(const Case& c, const std::vector<std::string>& sets);
 
 /// The same for a case. Of a file, prints what was found in it, also where no solver is given.
-int run_case(Session& session, const cases::Named& what, const RunOptions& options);
+int run_case(Session& session, const cases::Named& what, const RunOptions& given);
 
 /// A C++ program that makes one run and prints the state at its end, by an own method or the
 /// library's own interface. `problem`: the struct of struct_of(); without it the case comes from
