@@ -146,8 +146,9 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
   for (const auto& fact : c.facts)
     if (from_file && fact.first != "truth" && fact.first != "code") texts.facts.push_back(fact);
   for (const Parameter& parameter : c.parameters)
-    texts.facts.emplace_back(parameter.name,
-                             record::format_number(parameter.value) + ", " + parameter.meaning);
+    texts.facts.emplace_back(parameter.name, record::format_number(parameter.value) +
+                                                 (parameter.meaning.empty() ? "" : ", ") +
+                                                 parameter.meaning);
   const CaseRun& first = runs.front();
   texts.facts.emplace_back(
       "Setting",
