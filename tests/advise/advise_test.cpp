@@ -33,7 +33,7 @@ void expect_true(const std::string& arguments, double asked) {
   const Result run = shell(command);
   EXPECT_EQ(run.code, 0) << command << "\n" << run.output;
   EXPECT_LE(number_after(run.output, "error "), asked) << command << "\n" << run.output;
-  EXPECT_EQ(number_after(run.output, "cost "), advice["command_evaluations"]) << run.output;
+  EXPECT_EQ(number_after(run.output, "cost "), advice["command_rhs_evaluations"]) << run.output;
   // `odeum run` prints six digits.
   const double error = advice["command_error"];
   EXPECT_NEAR(number_after(run.output, "error "), error, 1e-5 * error) << run.output;
@@ -68,7 +68,7 @@ nlohmann::json expect_within(const std::string& arguments, double ns) {
   auto advice = nlohmann::json::parse(result.output);
   EXPECT_EQ(advice["time_asked"], ns);
   const Result run = shell(advice["command"]);
-  EXPECT_EQ(number_after(run.output, "cost "), advice["command_evaluations"]) << run.output;
+  EXPECT_EQ(number_after(run.output, "cost "), advice["command_rhs_evaluations"]) << run.output;
   const double error = advice["command_error"];
   EXPECT_NEAR(number_after(run.output, "error "), error, 1e-5 * error) << run.output;
   return advice;

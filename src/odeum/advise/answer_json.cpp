@@ -15,7 +15,7 @@ nlohmann::ordered_json box_of(const Trial& found, const Asked& asked) {
   for (std::size_t k = 0; k < asked.points.size(); ++k)
     box.push_back({{"parameters", fmt::format("{}", fmt::join(asked.points[k], " "))},
                    {"error", found.parts[k].error},
-                   {"evaluations", found.parts[k].counters.rhs_evaluations}});
+                   {"rhs_evaluations", found.parts[k].counters.rhs_evaluations}});
   return box;
 }
 
@@ -66,8 +66,8 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
   json["command"] = command_of(advice, c, asked);
   const Part& worst = found.parts[found.worst()];
   json["command_error"] = advice.on_stops ? worst.error : worst.end_error;
-  json["command_evaluations"] = worst.counters.rhs_evaluations;
-  json["evaluations"] = found.counters().rhs_evaluations;
+  json["command_rhs_evaluations"] = worst.counters.rhs_evaluations;
+  json["rhs_evaluations"] = found.counters().rhs_evaluations;
   json["same_within_noise"] = same_within_noise(advice);
   json["dropped"] = Json::array();
   each_dropped(advice, [&](const Candidate& candidate) {

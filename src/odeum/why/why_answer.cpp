@@ -128,7 +128,7 @@ std::string command_of(const Why& why, const Case& c, const advise::Asked& asked
 }
 
 record::Records segments_of(const Why& why) {
-  record::Records table{{"from", "to", "steps", "evaluations", "bound_by", "step", "fastest",
+  record::Records table{{"from", "to", "steps", "rhs_evaluations", "bound_by", "step", "fastest",
                          "rate", "of_edge", "component"}};
   for (const Segment& s : why.segments)
     table.rows.push_back({s.from, s.to, s.steps, s.evaluations, word_of(why, s.cause), s.h,
@@ -203,8 +203,8 @@ Json json_of(const Why& why, const Case& c, const advise::Asked& asked) {
   const auto counters = [](Json& json, const Counters& of) {
     json["steps"] = of.steps;
     json["rejected_steps"] = of.rejected_steps;
-    json["evaluations"] = of.rhs_evaluations;
-    json["jacobians"] = of.jacobian_evaluations;
+    json["rhs_evaluations"] = of.rhs_evaluations;
+    json["jacobian_evaluations"] = of.jacobian_evaluations;
   };
   Json json;
   json["summary"] = first_line(why);

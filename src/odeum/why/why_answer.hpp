@@ -13,8 +13,8 @@ namespace odeum::why {
 /// The options of `odeum run` and `odeum why` that make a request.
 std::string setting_of(const Request& request, const Case& c);
 
-/// A line of why.csv a segment: from, to, steps, evaluations, bound_by, step, fastest, rate,
-/// of_edge, component.
+/// The rows of why.csv, one for each segment: from, to, steps, rhs_evaluations, bound_by, step,
+/// fastest, rate, of_edge, component.
 record::Records segments_of(const Why& why);
 
 /// The command of the better run; empty: there is none.
