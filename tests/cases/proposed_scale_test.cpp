@@ -207,5 +207,17 @@ TEST(ProposedScale, IsKnownBeforeTheTruth) {
   EXPECT_EQ(c.units.scale, (Scale{1e-3, 1e-6, 5e-7, 5e-6}));
 }
 
+// A tag that an author writes is a word for people: "scene" made the errors of a text distances of
+// particles, of which it has none, so that each was 0.
+TEST(ErrorUnits, OfATextDoNotFollowFromItsTags) {
+  const Case c = of_text(
+      "states: {x: 1, y: 2}\nequations: {x: -x, y: -y}\ntime: {end: 1}\ncase: {tags: [scene]}\n");
+  const std::vector<double> off{0.5, 0.75};
+  std::vector<double> exact(2);
+  ASSERT_TRUE(c.truth.at(1, exact.data()));
+  EXPECT_NEAR(judge::error_of(c, off.data(), exact.data()), 0.5 - std::exp(-1.0), 1e-12);
+  EXPECT_EQ(judge::unit_text(c), "absolute");
+}
+
 }  // namespace
 }  // namespace odeum::proposed_scale_test

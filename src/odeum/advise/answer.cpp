@@ -200,7 +200,7 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
                         : fmt::format("; the error is the largest at {:g} frames", advice.frames));
   else
     text += fmt::format("stops     {}: the error is the largest there{}\n", text_of_stops(c),
-                        c.has_tag("scene") ? "; --frame 1/60 keeps it at every frame" : "");
+                        c.measures_particles ? "; --frame 1/60 keeps it at every frame" : "");
   text += text_of_absolutes(found, c);
   text += text_of_wishes(advice, asked);
   if (known_part(c)) text += fmt::format("truth     {}\n", words_of_truth(c));

@@ -33,7 +33,7 @@ Search::Search(const std::vector<const Case*>& cases, const Wishes& wishes, std:
       before_(std::min(seconds_since(wishes.start), process_seconds() - wishes.used_at_start)),
       clock_(wishes.clock) {
   // One frame would foresee little.
-  first_ = c_.stops[frames > 0 || c_.has_tag("scene") ? (c_.stops.size() - 1) / 4 : 0];
+  first_ = c_.stops[frames > 0 || c_.measures_particles ? (c_.stops.size() - 1) / 4 : 0];
   for (const Case* c : cases)
     stages_.push_back({c,
                        {*c, c->stops},

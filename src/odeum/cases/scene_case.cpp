@@ -121,6 +121,7 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   c.components = names_of(structure.particles);
   for (std::size_t i = 0; i < 3 * structure.particles; ++i)
     if (problem->bodies().free(i / 3)) c.measured.push_back(i);
+  c.measures_particles = true;
   for (const int quarter : {1, 2, 3, 4}) c.stops.push_back(*scene.duration * quarter / 4);
   c.stops = stops_of(span, 0, c.stops);
   // Particles without a force have no energy of gravity.
@@ -135,6 +136,7 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   };
   return c;
 }
+
 }  // namespace
 
 std::shared_ptr<const scene::SceneProblem> whole_problem(const scene::Scene& scene, double until,

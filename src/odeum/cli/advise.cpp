@@ -134,7 +134,7 @@ void watch(Case& c) {
 
 /// Whether `odeum run --stops` has the stops of the case.
 bool may_stop(const AdviseOptions& options, const Case& c) {
-  return !options.code && !options.problems.span.given() && !c.has_tag("scene") &&
+  return !options.code && !options.problems.span.given() && !c.measures_particles &&
          (c.timed_stops() == c.stops || study::convergence_stops(c) == c.stops);
 }
 
@@ -160,7 +160,7 @@ int advise_on(Session& session, AdviseOptions& options, const CLI::App& command)
   std::vector<Range> ranges;
   for (const std::string& text : options.vary) ranges.push_back(range_of(text));
   const Case given = case_of(session, options.what, options.problems, [&](Case& c) {
-    if (c.has_tag("scene") && options.wishes.frame == 0) watch(c);
+    if (c.measures_particles && options.wishes.frame == 0) watch(c);
   });
   Box box;
   if (ranges.empty())

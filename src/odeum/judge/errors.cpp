@@ -16,9 +16,6 @@ double error_of_component(const Case& c, std::size_t i, const double* y, const d
   return std::abs(y[i] - exact[i]) / c.units.of(i, exact[i]);
 }
 
-/// Whether the components measured are the places of particles.
-bool has_particles(const Case& c) { return c.has_tag("scene"); }
-
 }  // namespace
 
 std::vector<std::size_t> measured_components(const Case& c) {
@@ -98,7 +95,7 @@ std::size_t worst_component(const Case& c, const double* y, const double* exact)
 }
 
 double error_of(const Case& c, const double* y, const double* exact) {
-  if (!has_particles(c)) return error_of_component(c, worst_component(c, y, exact), y, exact);
+  if (!c.measures_particles) return error_of_component(c, worst_component(c, y, exact), y, exact);
   double largest = 0;
   for (std::size_t k = 0; k + 2 < c.measured.size(); k += 3) {
     const std::size_t at = c.measured[k];  // x, and y and z after it
@@ -110,7 +107,7 @@ double error_of(const Case& c, const double* y, const double* exact) {
 }
 
 std::string unit_text(const Case& c) {
-  if (has_particles(c)) return "in m, of the particle that is farthest from its place";
+  if (c.measures_particles) return "in m, of the particle that is farthest from its place";
   return c.units.scale.empty() ? "absolute" : "in the units of the scale";
 }
 

@@ -119,6 +119,8 @@ struct Case {
   Truth truth;
   /// The components whose error is reported; empty: all of them.
   std::vector<std::size_t> measured;
+  /// Whether these are the places of particles, x, y and z of each: an error is then a distance.
+  bool measures_particles = false;
   ErrorUnits units;
   /// What its author asks for; a relative one of 0: none. Its thresholds hold for runs to other
   /// relative tolerances too.

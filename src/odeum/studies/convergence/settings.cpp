@@ -64,7 +64,7 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
         std::min(request.budget.evaluations, quick ? quick_hard_budget : hard_budget);
   if (quick) request.budget.evaluations /= many ? 32 : 2;
   // A scene's coarsest steps are those that trial runs need: enough for a ladder from there.
-  if (quick && pair.c->has_tag("scene"))
+  if (quick && pair.c->measures_particles)
     request.budget.evaluations = std::max(request.budget.evaluations,
                                           64 * share_of(*pair.c, pair.c->settings.coarsest_steps));
   if (pair.mode == Mode::fixed) {
