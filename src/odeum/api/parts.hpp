@@ -8,13 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "odeum/control/zeros.hpp"
 #include "odeum/core/status.hpp"
 
 /// What may be attached to a run of odeum::integrate: any number of
 ///
 ///     each_step(f)                 f(t, y) after each step; returns false to end the run there
 ///     at_times(times, f)           f(t, y) at each of the ascending times within the run
-///     until_event(g, direction)    ends the run at the first sign change of g(t, y)
+///     until_event(g, direction)    ends the run at the first zero of g(t, y)
+///     at_events(g, f, direction)   f(t, y) at each zero of g(t, y)
 ///
 /// Times are double, in the problem's unit; y is the state, of the problem's size and valid during
 /// the call. All are called on the thread of the run, and what they throw ends it without a RunEnd.
@@ -78,81 +80,105 @@ AtTimes<F> at_times(std::vector<double> times, F f) {
   return AtTimes<F>(std::move(times), std::move(f));
 }
 
-/// Which sign changes count.
-enum class Crossing { any, rising, falling };
+namespace detail {
+/// The zeros of g(t, y) along the steps of a run.
+template <class G>
+class EventSearch {
+ public:
+  explicit EventSearch(G g) : g_(std::move(g)) {}
+  template <class S>
+  void begin(double t0, const S& y0) {
+    value_ = static_cast<double>(g_(t0, y0));
+    search_.begin();
+  }
+  /// found(Zero) of each within the step, until it returns true; step.inner() is used.
+  template <class Step, class Found>
+  void look(Step& step, Status& status, Found&& found) {
+    const double first = value_;
+    value_ = static_cast<double>(g_(step.end(), step.end_state()));
+    const auto g = [&](double t) {
+      if (status == Status::ok) status = step.at(t, step.inner());
+      return status == Status::ok ? static_cast<double>(g_(t, std::as_const(step.inner())))
+                                  : std::numeric_limits<double>::quiet_NaN();
+    };
+    search_(g, step.begin(), first, step.end(), value_, found);
+  }
+
+ private:
+  G g_;
+  ZeroSearch search_;
+  double value_ = 0;
+};
+}  // namespace detail
 
 template <class G>
 class UntilEvent {
  public:
-  UntilEvent(G g, Crossing crossing) : g_(std::move(g)), crossing_(crossing) {}
+  UntilEvent(G g, Crossing crossing) : search_(std::move(g)), crossing_(crossing) {}
   template <class S>
   void begin(double t0, const S& y0) {
-    before_ = g_(t0, y0);
+    search_.begin(t0, y0);
   }
 
-  /// Cuts the step where g changes its sign.
+  /// Cuts the step at the first zero that counts.
   template <class Step>
   void cut(Step& step, Status& status) {
-    const double first = before_;
-    before_ = static_cast<double>(g_(step.end(), step.end_state()));
-    if (!counts(first, before_)) return;
-    const double t = locate(step, first, before_, status);
+    double t = step.end();
+    search_.look(step, status, [&](const Zero& zero) {
+      if (!zero.counts(crossing_)) return false;
+      t = zero.t;
+      return happened_ = true;
+    });
     if (status == Status::ok && t < step.end()) status = step.cut_at(t);
-    happened_ = true;
   }
   bool happened() const { return happened_; }
 
  private:
-  bool counts(double from, double to) const {
-    if (crossing_ != Crossing::falling && from < 0 && to >= 0) return true;
-    return crossing_ != Crossing::rising && from > 0 && to <= 0;
-  }
-
-  /// The Illinois variant of the rule of false position, with a bisection where it shortens the
-  /// bracket by less than half in three evaluations (Dowell, Jarratt, BIT 11 (1971) 168-174). The
-  /// result is the end of the bracket on the far side of the event, to the rounding of t.
-  template <class Step>
-  double locate(Step& step, double g0, double g1, Status& status) {
-    double a = step.begin(), b = step.end(), three_ago = b - a;
-    int side = 0;
-    for (int round = 1; g1 != 0; ++round) {
-      const double least =
-          4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
-      if (b - a <= least) break;
-      double t = b - g1 * (b - a) / (g1 - g0);
-      if (round % 3 == 0) {
-        if (b - a > three_ago / 2) t = a + (b - a) / 2;
-        three_ago = b - a;
-      }
-      t = std::min(std::max(t, a + least / 2), b - least / 2);
-      status = step.at(t, step.inner());
-      if (status != Status::ok) break;
-      const auto g = static_cast<double>(g_(t, std::as_const(step.inner())));
-      if (g == 0 || (g > 0) == (g1 > 0)) {
-        b = t, g1 = g;
-        if (side == 1) g0 /= 2;
-        side = 1;
-      } else {
-        a = t, g0 = g;
-        if (side == -1) g1 /= 2;
-        side = -1;
-      }
-    }
-    return b;
-  }
-
-  G g_;
+  detail::EventSearch<G> search_;
   Crossing crossing_;
-  double before_ = 0;
   bool happened_ = false;
 };
 
-/// Ends the run at the first step in which g(t, y) changes its sign, at the time and with the state
-/// of the change. A g that is zero where the run begins is not an event; two changes within one
-/// step are not seen.
+/// Ends the run at the first time at which g(t, y) crosses or touches zero, with the state there. A
+/// g that is zero where the run begins, to within rounding, is not an event: a run may go on from
+/// where another one ended. All zeros within a step are seen (control/zeros.hpp): g is taken in
+/// three states within each step at least, each found as Inside in api/between.hpp says.
 template <class G>
 UntilEvent<G> until_event(G g, Crossing crossing = Crossing::any) {
   return UntilEvent<G>(std::move(g), crossing);
+}
+
+template <class G, class F>
+class AtEvents {
+ public:
+  AtEvents(G g, F f, Crossing crossing)
+      : search_(std::move(g)), f_(std::move(f)), crossing_(crossing) {}
+  template <class S>
+  void begin(double t0, const S& y0) {
+    search_.begin(t0, y0);
+  }
+  template <class Step>
+  bool report(Step& step, Status& status) {
+    search_.look(step, status, [&](const Zero& zero) {
+      if (!zero.counts(crossing_)) return false;
+      if (status == Status::ok) status = step.at(zero.t, step.inner());
+      if (status == Status::ok) f_(zero.t, std::as_const(step.inner()));
+      return status != Status::ok;
+    });
+    return status == Status::ok;
+  }
+
+ private:
+  detail::EventSearch<G> search_;
+  F f_;
+  Crossing crossing_;
+};
+
+/// At each time at which g(t, y) crosses or touches zero, in their order, `f(t, y)`; the run goes
+/// on. They are found as until_event finds the first.
+template <class G, class F>
+AtEvents<G, F> at_events(G g, F f, Crossing crossing = Crossing::any) {
+  return AtEvents<G, F>(std::move(g), std::move(f), crossing);
 }
 
 }  // namespace odeum
