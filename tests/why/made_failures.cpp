@@ -397,7 +397,110 @@ const std::vector<MadeFailure>& made_failures() {
        .relative = 1e-4,
        .causes = {sliding},
        .also = {accuracy}},
+      // A half wave does not jump at its ends; beside it the beam swings as fast as the wave does.
+      {.name = "hammer_on_a_beam",
+       .text = "states: {s: 0, x: 0.01, v: 0}\n"
+               "equations: {s: 1, x: v, v: 'if(s > 20 and s < 20.05, 40*sin(pi*(s - 20)/0.05), 0) "
+               "- 2.4*v - 144*x'}\ntime: {end: 20.6}\n",
+       .solver = "cvode/adams",
+       .relative = 1e-5,
+       .absolute = {1e-5},
+       .causes = {pulse},
+       .also = {accuracy, kink, stability},
+       .end = {20.6, 0.02909144900505612, 0.4946454630064883}},
+      // A component below its tolerance is off before the pulse, and does not hide it.
+      {.name = "trace_beside_a_pulse",
+       .text = "states: {c: 0, x: 0, y: 1}\n"
+               "equations: {c: 1, x: 1e-8*y - 3*x, y: -y/20 + 2*exp(-((c - 41)/0.02)^2)}\n"
+               "time: {end: 45}\n",
+       .solver = "odeum/dormand_prince54",
+       .relative = 1e-4,
+       .absolute = {1e-5},
+       .causes = {pulse, absolute},
+       .also = {accuracy, stability},
+       .end = {45, 5.540815475347763e-10, 0.16344573811935442}},
+      // The looser run, which the others are compared with, ends in values that are not finite.
+      {.name = "diode_clamp",
+       .text = "states: {v: 0, w: 0}\n"
+               "equations: {v: (5*sin(3*t) - v)/0.01 - 0.01*(exp(v/0.052) - 1), w: v - w}\n"
+               "time: {end: 6}\n",
+       .solver = "gsl/rkf45",
+       .relative = 1e-5,
+       .absolute = {1e-5},
+       .causes = {stability},
+       .also = {accuracy},
+       .end = {-3.8504182736492196, -2.248605667631061}},
+      // Equal steps: as long as a period, one inside of which the equations change, beyond the edge
+      // where f bends back, and ones that damp or feed an energy over many periods.
+      {.name = "hum_of_one_period_a_step",
+       .text = "states: {x: 0}\nequations: {x: -x + cos(100*pi*t)}\ntime: {end: 4}\n",
+       .solver = "odeum/rk4",
+       .step = 0.02,
+       .causes = {aliasing},
+       .also = {too_coarse},
+       .end = {9.94644136460036e-06}},
+      {.name = "infusion_that_ends_inside_a_step",
+       .text = "states: {a: 1, b: 0}\n"
+               "equations: {a: 'if(t < 3.333, 2, 0) - 0.7*a', b: 0.7*a - 3*b}\ntime: {end: 4}\n",
+       .solver = "odeum/rk4",
+       .step = 0.25,
+       .causes = {kink},
+       .end = {1.6783321167129448, 0.4833642206247015}},
+      {.name = "enzyme_cycle_beyond_the_edge",
+       .text = "states: {x: 0.1}\nequations: {x: 2*(1 - x)/(1.002 - x) - x/(0.002 + x)}\n"
+               "time: {end: 4}\n",
+       .solver = "odeum/explicit_euler",
+       .step = 0.01,
+       .causes = {stability},
+       .end = {0.9980079839683196}},
+      {.name = "orbits_that_are_damped",
+       .text = "states: {x: 0.7, y: 0, u: 0, v: 1.3627702877384937}\n"
+               "equations: {x: u, y: v, u: -x/(x^2 + y^2)^1.5, v: -y/(x^2 + y^2)^1.5}\n"
+               "time: {end: 600}\n",
+       .solver = "odeum/rk4",
+       .step = 0.1,
+       .causes = {energy},
+       .end = {-1.2994220887855021, 0.03242674483437319, -0.026151537815516254,
+               -0.7334731342164219}},
+      {.name = "burst_of_neutrons",  // n has begun to rise before half of its height
+       .text = "states: {n: 1e-2, c: 8.125e-2}\n"
+               "equations: {n: -1.65*n + 0.08*c + 400*exp(-((t - 350)/0.05)^2), "
+               "c: 0.65*n - 0.08*c}\ntime: {end: 352}\n",
+       .solver = "odeum/radau_iia_variable",
+       .relative = 1e-5,
+       .absolute = {1e-5},
+       .causes = {pulse},
+       .also = {accuracy},
+       .end = {1.8429010643771464, 12.327210168192448}},
+      {.name = "virions_from_a_few",
+       .text = "states: {T: 1, I: 0, V: 1e-9}\n"
+               "equations: {T: -50*T*V, I: 50*T*V - 0.5*I, V: 1.2*I - 3*V}\ntime: {end: 6}\n",
+       .solver = "odeum/tsitouras54",
+       .relative = 1e-5,
+       .absolute = {1e-6},
+       .causes = {absolute},
+       .also = {accuracy, stability},
+       .end = {4.5159641853706725e-13, 0.24116506229876722, 0.11564460188484209}},
+      {.name = "bucket_that_overflows",
+       .text = "states: {S: 0}\nequations: {S: '2 + sin(t) - 3*max(S - 1, 0) - 0.1*S'}\n"
+               "time: {end: 2}\n",
+       .solver = "odeum/rk4",
+       .step = 0.125,
+       .causes = {kink},
+       .end = {1.9122549902496437}},
       // Two causes.
+      {.name = "rotor_that_slows_beside_a_filter",
+       .text =
+           "states: {c: 0, p: 1, q: 0, r: 0, s: 0}\n"
+           "equations: {c: 1, p: -30*q*exp(-t), q: 30*p*exp(-t), r: 'if(c > 1.37, 0, 1)*2 - r', "
+           "s: 400*(r - s)}\ntime: {end: 6}\n",
+       .solver = "odeum/dormand_prince54",
+       .relative = 1e-8,
+       .absolute = {1e-8},
+       .causes = {stability, accuracy},
+       .also = {kink},
+       .end = {6.000000000000001, 0.08042028700683158, -0.996761043299075, 0.014552013851288539,
+               0.014588485063963276}},
       {.name = "stiff_then_pole",
        .text = "states: {x: 1, y: 1}\nequations: {x: x^2, y: -1e4*(y - cos(t))}\ntime: {end: 2}\n",
        .solver = "odeum/dormand_prince54",

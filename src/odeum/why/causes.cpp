@@ -179,38 +179,6 @@ void look_at_tolerances(Inquiry& q) {
                       tightest, q.names[who]));
 }
 
-void look_at_absolutes(Inquiry& q) {
-  if (!q.known) return;
-  const Tolerance& tolerance = q.run.request.tolerance;
-  const std::vector<double>& exact = q.known->end;
-  // The worst component stays below its absolute tolerance, and its error shows.
-  std::size_t worst = q.sizes.size();
-  double most = q.run.ok() ? std::max(1e-5, 10 * tolerance.relative) : 1;
-  for (std::size_t i = 0; i < q.sizes.size(); ++i) {
-    if (!(q.sizes[i] > 0) || !(q.sizes[i] < tolerance.absolute(i))) continue;
-    const double shows = q.run.ok() ? std::abs(q.run.end()[i] - exact[i]) / q.sizes[i]
-                                    : tolerance.absolute(i) / q.sizes[i];
-    if (shows > most) most = shows, worst = i;
-  }
-  if (worst == q.sizes.size()) return;
-  // The same run is made with the tolerance that the component's size asks for.
-  Request request = q.run.request;
-  request.record_steps = false;
-  std::vector<double> absolute(q.sizes.size());
-  for (std::size_t i = 0; i < absolute.size(); ++i)
-    absolute[i] = of_two_digits(std::min(
-        tolerance.absolute(i), q.sizes[i] > 0 ? tolerance.relative * q.sizes[i] : infinity));
-  request.tolerance = Tolerance(tolerance.relative, absolute);
-  const std::size_t other = q.also(q.why.solver, request, 0.3);
-  if (!q.run.ok() && !(q.difference(q.others[other]) <= far_off)) return;
-  q.add(Cause::absolute, nan, nan,
-        fmt::format("{} is never larger than {:.2g}, below its absolute tolerance of {:.2g}, so "
-                    "that its error is not held{}",
-                    q.names[worst], q.sizes[worst], tolerance.absolute(worst),
-                    q.run.ok() ? fmt::format(": it is {:.2g} of its size at the end", most)
-                               : ", and with one below it the run gets to the end"));
-}
-
 namespace {
 
 /// Runs to tighter tolerances, until one ends near the solution.

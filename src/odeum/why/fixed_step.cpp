@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "odeum/why/inquiry.hpp"
+#include "odeum/why/path.hpp"
 
 namespace odeum::why {
 namespace {
@@ -19,43 +20,6 @@ double blown_up(const Inquiry& q) {
         if (!(each <= most)) most = each;
       }
   return q.run.ok() ? most : infinity;
-}
-
-/// Whether the method itself feeds or damps an undamped motion that its steps resolve, by what it
-/// makes of it at the eigenvalues on the imaginary axis along the solution.
-void look_at_energy(Inquiry& q, double step, double off) {
-  constexpr double resolved = 1.5;  // in radians
-  double sum = 0, weight = 0, all = 0, frequency = 0;
-  for (const Sample& s : q.samples) {
-    double most = 0;
-    for (const std::complex<double>& z : s.spectrum.all) {
-      if (std::abs(z.real()) > 1e-6 * std::abs(z) || !(z.imag() > 0)) continue;
-      // One of the solution, which its own rate shows, not a stiff one that rests.
-      if (z.imag() > 3 * s.rate || step * z.imag() > resolved) continue;
-      // Beyond an edge it is instability.
-      if (const double used = step * std::abs(z) / q.region.edge(z); used > 1 && used < infinity)
-        continue;
-      const double growth = q.region.growth(step * z);
-      if (std::abs(growth) > std::abs(most)) most = growth, frequency = z.imag();
-    }
-    all += s.weight;
-    if (most == 0) continue;
-    weight += s.weight;
-    sum += s.weight * most;
-  }
-  // It has to explain a part of how far the run is off; the rest may be its phase.
-  const double factor = std::exp(std::clamp(sum, -700.0, 700.0));
-  if (!(std::abs(factor - 1) > 0.2 * std::min(off, 1.0)) || weight < 0.5 * all) return;
-  // An energy that is known has to say so, too.
-  if (q.c.energy) {
-    const double before = q.c.energy(q.c.y0.data()),
-                 after = q.c.energy(q.run.moments.back().y.data());
-    if (std::abs(after - before) < 0.02 * std::abs(before)) return;
-  }
-  q.add(Cause::energy, 1, q.c.t0,
-        fmt::format("each step multiplies an undamped motion of angular frequency {:.3g} by "
-                    "{:.6g}, {:.3g} in the whole run",
-                    frequency, std::exp(sum / weight), factor));
 }
 
 /// Whether a step inside the edge makes it good: a run with one, unless that takes too many.
@@ -126,7 +90,7 @@ void look_for_fineness(Inquiry& q) {
   const double enough =
       std::max({q.run.ok() ? 3 * q.difference(q.run) : usual_tolerance, 1e-9, q.known->doubt});
   Request coarser = q.run.request;
-  std::size_t found = q.others.size();
+  std::optional<std::size_t> found;
   while (coarser.steps > times * least_steps && q.time_for_more(0.1)) {
     coarser.steps /= times;
     const std::size_t k = q.also(q.why.solver, coarser, 0.2);
@@ -134,18 +98,53 @@ void look_for_fineness(Inquiry& q) {
     if (!unpaid && !(q.difference(q.others[k]) <= enough)) break;
     if (!unpaid) found = k;
   }
-  if (found >= q.others.size() || !q.others[found].ok()) return;
-  const double longer =
-      static_cast<double>(q.run.request.steps) / static_cast<double>(q.others[found].request.steps);
+  if (!found || !q.others[*found].ok()) return;
+  const double longer = static_cast<double>(q.run.request.steps) /
+                        static_cast<double>(q.others[*found].request.steps);
   q.add(Cause::too_fine, 1, q.c.t0,
         fmt::format("the step is far finer than its error needs: one {:.3g} times as long ends "
                     "{:.2g} of the solution's size away{}",
-                    longer, q.difference(q.others[found]),
+                    longer, q.difference(q.others[*found]),
                     q.run.ok() ? fmt::format(", this one {:.2g}", q.difference(q.run))
                                : ", and this one was not at the end in the time it had"));
 }
 
 }  // namespace
+
+/// Kinks and jumps of the equations within steps of one length take the order of the method: its
+/// error falls as the step, or as its square, where it is claimed to fall faster.
+void look_for_lost_order(Inquiry& q) {
+  const double claimed = q.c.entrants.find(q.why.solver)->info.order, off = q.difference(q.run);
+  constexpr double least_claimed = 1.5, lost = 0.6, lost_of_many = 1.2;
+  if (!(claimed >= least_claimed) || q.conditions.count == 0) return;
+  const double step = step_of(q.run.request, q.c.t0);
+  const Run& along = q.trusted ? *q.trusted : q.run;
+  std::vector<Kink> kinks =
+      kinks_of_conditions(q.c, q.conditions, along.moments, step, false, q.sizes).kinks;
+  // A kink between two steps takes nothing.
+  std::erase_if(kinks, [&](const Kink& kink) {
+    const double part = std::remainder((kink.t - q.c.t0) / step, 1.0);
+    return std::abs(part) < 1e-9 || !(kink.t < q.run.request.stops.back());
+  });
+  if (kinks.empty()) return;
+  // Two refinements: a kink lies elsewhere in each step.
+  constexpr std::uint64_t times = 32, most_steps = 2'000'000;
+  Request finer = q.run.request;
+  finer.steps *= times;
+  if (finer.steps > most_steps) return;
+  const double there = q.difference(q.others[q.also(q.why.solver, finer, 0.3)]);
+  const double order = std::log(off / there) / std::log(static_cast<double>(times));
+  if (!(there > 0) || !(order < claimed - (claimed < 3 ? lost : lost_of_many)) || !(order > 0.3))
+    return;
+  q.add(
+      Cause::kink, nan, kinks.front().t,
+      fmt::format("{} of {}'s right-hand side {} at t = {:.8g}{}, inside of a step: {} times the "
+                  "steps have {:.2g} of the error, order {:.2g}, where {} has {:g}",
+                  kinks.front().jump ? "the value" : "the slope", q.names[kinks.front().component],
+                  kinks.front().jump ? "jumps" : "has a kink", kinks.front().t,
+                  kinks.size() > 1 ? fmt::format(", as at {} more", kinks.size() - 1) : "", times,
+                  there / off, order, q.why.solver, claimed));
+}
 
 void look_at_fixed_step(Inquiry& q) {
   const double step =
@@ -154,7 +153,17 @@ void look_at_fixed_step(Inquiry& q) {
     if (s.used > 1) s.cause = Cause::stability;
   if (!q.samples.empty()) make_segments(q);
   const double off = q.difference(q.run), size = blown_up(q);
-  if (off <= far_off || q.run.outcome.status == Status::over_budget) return look_for_fineness(q);
+  if (q.run.outcome.status == Status::over_budget) return look_for_fineness(q);
+  if (off <= far_off) {
+    // Steps beyond the edge need not blow up where f bends back; a small error may be theirs, or
+    // that of a kink.
+    if (off > std::max(usual_tolerance, 10 * q.known->doubt)) {
+      if (steps_inside_help(q)) look_at_edge(q);
+      if (q.why.findings.empty()) look_for_lost_order(q);
+    }
+    if (q.why.findings.empty()) look_for_fineness(q);
+    return;
+  }
   if (q.run.ok()) look_for_kinks(q);
   if (q.run.ok() && !q.found(Cause::sliding)) look_for_unseen(q);
   if (std::isnan(off)) return look_at_amplification(q);
@@ -164,6 +173,7 @@ void look_at_fixed_step(Inquiry& q) {
     q.add(Cause::newton, nan, q.run.ends.back(),
           fmt::format("the equations of a step of {:.3g} are not solved at t = {:.6g}", step,
                       q.run.ends.back()));
+  if (q.why.findings.empty() && q.run.ok()) look_for_lost_order(q);
   if (q.why.findings.empty()) look_at_amplification(q);
   if (!q.why.findings.empty()) return;
   // Not unstable: does the error fall with the step as that of a coarse one does?

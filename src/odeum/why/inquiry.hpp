@@ -112,9 +112,12 @@ bool has_unseen(const Inquiry& q, const Run& run);
 /// The relative tolerance that was asked for; at a fixed step, where none was, the usual one.
 double wanted(const Inquiry& q);
 
+/// The request of other solvers: to the same tolerance, or to the usual one.
+Request comparable(const Inquiry& q);
 /// Runs of other solvers to the same tolerance, and by them, or by the truth, what is known of the
 /// solution and of the sizes of components.
 void try_others(Inquiry& q);
+void find_known(Inquiry& q);
 /// What the causes themselves suggest: the same solver with another setting, or a shorter run.
 void try_settings(Inquiry& q);
 /// Makes the cheapest of the others as exact as a run whose error is not at fault.
@@ -140,6 +143,9 @@ void look_at_jacobian(Inquiry& q);
 void look_at_tolerances(Inquiry& q);
 /// Finds an absolute tolerance above the size of a component; the run with another one tells.
 void look_at_absolutes(Inquiry& q);
+/// A component that grows from below its absolute tolerance carries its error along, although it
+/// is larger later.
+void look_for_growth_from_below(Inquiry& q);
 /// Pulses and periods that the run steps over.
 void look_for_unseen(Inquiry& q);
 /// How errors grow by the problem itself.
@@ -153,5 +159,8 @@ void look_at_edge(Inquiry& q);
 void look_for_leaving(Inquiry& q);
 /// Instability, energy and coarseness of a fixed step, by a solution that is trusted.
 void look_at_fixed_step(Inquiry& q);
+/// Whether the method feeds or damps an undamped motion that its steps resolve, `off` from the
+/// solution at the end.
+void look_at_energy(Inquiry& q, double step, double off);
 
 }  // namespace odeum::why

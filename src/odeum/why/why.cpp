@@ -79,11 +79,17 @@ namespace {
 
 /// Looks at what bounds the steps of an adaptive run.
 void look_at_steps(Inquiry& q) {
-  Request looser = q.run.request;
-  q.looser_by = looser.tolerance.relative > 1e-3 ? 0.01 : 100;
-  looser.tolerance = looser.tolerance.with_relative(q.looser_by * looser.tolerance.relative);
-  q.looser = q.make(q.c, q.why.solver, looser, 0, 0.2);
-  q.looser->trace.times = {};
+  for (const double by : {100.0, 0.01}) {
+    Request looser = q.run.request;
+    const double relative = looser.tolerance.relative;
+    if (by > 1 ? relative > 1e-3 : q.looser && by * relative < 1e-13) continue;
+    looser.tolerance = looser.tolerance.with_relative(by * relative);
+    q.looser_by = by;
+    q.looser = q.make(q.c, q.why.solver, looser, 0, 0.2);
+    q.looser->trace.times = {};
+    // A looser run that fails where this one does not says nothing of its steps.
+    if (q.looser->ok() || !q.run.ok()) break;
+  }
   look_for_kinks(q);
   if (q.run.ok() && !q.found(Cause::sliding)) look_for_unseen(q);
   look_at_tolerances(q);
@@ -99,6 +105,7 @@ void look_at_steps(Inquiry& q) {
               q.run.ends.back(), q.run.step_at(q.run.ends.back())));
   if (q.run.ok()) {
     const bool missed = q.found(Cause::pulse) || q.found(Cause::aliasing);
+    if (!missed && !q.found(Cause::absolute)) look_for_growth_from_below(q);
     if (!missed && !q.found(Cause::absolute)) look_at_amplification(q);
     // Where no tolerance helps, a run that ends near the solution does so by chance.
     if (q.trusted && !explained && !q.no_tolerance_helps() && q.difference(q.run) > far_off)
