@@ -21,8 +21,6 @@
 namespace odeum::cases {
 namespace {
 
-using formula::TextOde;
-
 /// What is known of a file before it is read as a problem.
 struct File {
   const PrintedText* printed = nullptr;  ///< null: no built-in text has its equations
@@ -45,6 +43,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     if (!has_name_of_column(problem_.states)) case_.components = problem_.states;
     case_.units.scale = problem_.scale;
     set_problem();
+    add_outputs(problem_, case_);
     set_truth();
     select_invariants();
     set_facts(case_);
@@ -155,7 +154,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
 
   void require_code() {
     if (ode_) return;
-    ode_ = std::make_shared<const TextOde>(problem_);
+    ode_ = std::make_shared<const formula::TextOde>(problem_);
     analysis_ = {ode_, &ode_->analysis()};
   }
 
@@ -256,7 +255,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
 
   File file_;
   bool waits_for_truth_ = false;
-  std::shared_ptr<const TextOde> ode_;
+  std::shared_ptr<const formula::TextOde> ode_;
   std::shared_ptr<const formula::Analysis> analysis_;
   TextTruth truth_;
   std::shared_ptr<const truth::Along> along_;  ///< null: not known

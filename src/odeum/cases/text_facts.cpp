@@ -85,6 +85,18 @@ void add_invariants(const formula::Problem& problem, Case& c) {
   }
 }
 
+void add_outputs(const formula::Problem& problem, Case& c) {
+  if (problem.outputs.empty()) return;
+  std::vector<formula::Id> roots;
+  for (const formula::Output& output : problem.outputs) {
+    roots.push_back(output.value);
+    c.outputs.names.push_back(output.name);
+  }
+  c.outputs.at = [values =
+                      std::make_shared<const formula::Evaluator<double>>(problem.graph, roots)](
+                     double t, const double* y, double* out) { (*values)(t, y, out); };
+}
+
 bool has_name_of_column(const std::vector<std::string>& states) {
   const std::vector<std::string> columns{"schema", "case",   "library", "solver",
                                          "time",   "energy", "error"};

@@ -14,6 +14,8 @@ Facts text_facts(const formula::Problem& problem, const formula::Analysis& analy
 
 /// Gives a case of a text's equations the invariants that the text states.
 void add_invariants(const formula::Problem& problem, Case& c);
+/// Gives a case the quantities that the text names for columns.
+void add_outputs(const formula::Problem& problem, Case& c);
 
 /// Whether a state has the name of another column of the files, which would then stand there twice.
 bool has_name_of_column(const std::vector<std::string>& states);

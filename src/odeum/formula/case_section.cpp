@@ -121,7 +121,7 @@ std::string code_of_problem(const std::string& file, const std::string& text) {
   for (const reading::Item& item : source.items(source.root(), "problem")) {
     const bool keys = item.key == "parameters" || item.key == "states";
     for (const char* used : {"parameters", "definitions", "states", "equations", "boundaries",
-                             "implicit", "invariants", "mass"})
+                             "implicit", "invariants", "mass", "reactions", "compartments"})
       if (item.key == used) code += item.key + serialised(*item.value, keys);
   }
   const Offers offers = CaseSection(file, text).offers();

@@ -16,8 +16,15 @@ struct Invariant {
   std::string name;
   Id value = no_node;
   Place place;
+  bool is_found = false;  ///< in the stoichiometry of reactions, which proves it
 
   bool is_energy() const { return name == "energy" || name == "H"; }
+};
+
+/// A quantity that is not a state, in a column of its own.
+struct Output {
+  std::string name;
+  Id value = no_node;
 };
 
 /// An initial value problem that was read from a file: y' = equations, all in one graph.
@@ -38,6 +45,7 @@ struct Problem {
   std::vector<Id> exact;      ///< by state, in t; empty: not known
   std::vector<Place> exact_places;
   std::vector<Invariant> invariants;
+  std::vector<Output> outputs;
   std::vector<double> scale;  ///< by state; empty: 1
   Tolerance tolerance = 0;    ///< that runs are asked for; a relative one of 0: none given
   /// The equations as text, for people: `x' = ...`, in the order of the file.

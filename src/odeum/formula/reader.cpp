@@ -13,9 +13,9 @@ namespace {
 
 // `case` and `cases` are read by CaseSection.
 constexpr std::string_view known_keys[] = {
-    "name",      "parameters", "definitions", "states", "equations", "boundaries",
-    "time",      "exact",      "invariants",  "scale",  "tolerance", "mass",
-    "residuals", "rates",      "implicit",    "case",   "cases"};
+    "name",     "parameters", "definitions", "states",    "equations",    "boundaries", "time",
+    "exact",    "invariants", "scale",       "tolerance", "mass",         "residuals",  "rates",
+    "implicit", "case",       "cases",       "reactions", "compartments", "outputs"};
 
 }  // namespace
 
@@ -32,6 +32,7 @@ Problem Reader::read() {
   if (const Item* const name = section("name")) problem_.name = scalar(*name->value, "name");
   constants_.refused["t"] = "a constant";
   read_parameters();
+  read_compartments();
   read_states();
   read_time();
   Scope all = constants_;
@@ -47,6 +48,7 @@ Problem Reader::read() {
   read_mass(all);
   read_exact();
   read_invariants(all);
+  read_outputs(all);
   read_scale();
   read_tolerance();
   require_start();
@@ -181,7 +183,7 @@ std::string problem_text(const std::string& file) {
 
 bool looks_like_problem(const std::string& file, const std::string& text) {
   // Also where the rest is not YAML: the error is then that of a problem.
-  for (const char* key : {"equations:", "residuals:", "states:"})
+  for (const char* key : {"equations:", "residuals:", "states:", "reactions:"})
     if (text.starts_with(key) || text.find(std::string("\n") + key) != std::string::npos)
       return true;
   try {

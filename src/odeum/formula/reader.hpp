@@ -12,6 +12,7 @@
 #include "odeum/formula/parser.hpp"
 #include "odeum/formula/problem.hpp"
 #include "odeum/formula/reduction.hpp"
+#include "odeum/formula/stoichiometry.hpp"
 #include "odeum/input/mapping.hpp"
 
 /// The parts of the reader of problem files.
@@ -54,6 +55,38 @@ struct Key {
   std::int64_t first = 0, last = 0;
 };
 
+/// A species that a reaction needs or makes: a state, or what no reaction changes.
+struct Participant {
+  Id species, coefficient;
+};
+
+inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);  ///< no compartment
+
+/// `A + 2 B -> C: k`, with its rate by the volume of one compartment.
+struct Reaction {
+  std::string text;
+  Place place;
+  std::vector<Participant> left, right;
+  bool is_reversible = false;
+  Id rate = no_node;
+  std::size_t in = nowhere;
+  bool between = false;  ///< species are in other compartments, too
+};
+
+struct Compartment {
+  std::string name;
+  Id volume;
+  const YamlNode* species;
+};
+
+/// The terms that reactions add to the equations, by state, the places of the first ones (line 0:
+/// none), and the amounts that each reaction makes.
+struct Balance {
+  std::vector<std::vector<Id>> gains, losses;
+  std::vector<Place> place;
+  std::vector<Weights> made;
+};
+
 /// Reads a problem, section by section: reader.cpp, and reader_states.cpp for what is given by
 /// state.
 class Reader : Source {
@@ -93,6 +126,18 @@ class Reader : Source {
   std::vector<Id> read_by_state(const std::string& in, Scope scope, std::vector<Place>& places);
   void require_all(const std::string& in, const std::vector<Id>& nodes);
   void read_equations(const Scope& scope);
+  /// Reactions, which add terms to the equations: reader_reactions.cpp.
+  void read_compartments();
+  void place_species(const Scope& scope);
+  std::vector<std::size_t> compartments_of(const std::vector<Participant>& side) const;
+  void find_compartment(Reaction& reaction, const Item* given) const;
+  Id mass_action(Id constant, const std::vector<Participant>& side);
+  void read_rate(Reaction& reaction, const YamlNode& value, const Scope& scope);
+  std::vector<Reaction> reactions(const Scope& scope);
+  void require_finite_rates(const std::vector<Reaction>& reactions) const;
+  void add_reaction(const Reaction& reaction, Balance& balance);
+  void read_reactions(const Scope& scope);
+  void add_conserved_sums(const std::vector<Weights>& made);
   /// Which terms of the equations additive methods take implicitly: reader_implicit.cpp.
   void read_implicit(const Scope& scope);
   std::vector<Id> implicit_by_name(const YamlNode& list, const Scope& scope);
@@ -114,6 +159,8 @@ class Reader : Source {
   Place place_of_residual(std::size_t residual) const;
   void read_exact();
   void read_invariants(const Scope& scope);
+  /// Quantities for columns of their own: a mapping, or a list of definitions.
+  void read_outputs(const Scope& scope);
   void read_scale();
   void read_tolerance();
 
@@ -133,8 +180,10 @@ class Reader : Source {
   std::map<std::string, std::int64_t> first_of_;  ///< of indexed states
   std::set<std::size_t> unknown_;                 ///< states whose start follows from constraints
   std::vector<Place> residual_places_;
-  std::size_t given_states_ = 0;          ///< before rates were added to them
-  std::vector<std::size_t> residual_of_;  ///< by state: the one that gives its rate
+  std::vector<Compartment> compartments_;
+  std::vector<std::size_t> compartment_of_;  ///< by state
+  std::size_t given_states_ = 0;             ///< before rates were added to them
+  std::vector<std::size_t> residual_of_;     ///< by state: the one that gives its rate
 };
 
 }  // namespace odeum::formula::reading

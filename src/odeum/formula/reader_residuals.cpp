@@ -28,7 +28,7 @@ Place Reader::place_of_residual(std::size_t residual) const {
 // The rate of a state that is among the states is that state.
 std::vector<Id> Reader::residuals_of(const Scope& all) {
   const YamlNode& list = *section("residuals")->value;
-  for (const char* other : {"equations", "mass"})
+  for (const char* other : {"equations", "mass", "reactions"})
     if (const Item* const item = section(other))
       fail(item->key_place, "{0}: beside residuals; got both, expected the residuals alone", other);
   if (list.kind != YamlNode::Kind::sequence || list.items.empty())

@@ -19,7 +19,7 @@ std::size_t characters(std::string_view text) {
 Source::Source(const std::string& file, const std::string& text)
     : root_(parse_yaml(
           file, text,
-          {.name = "problem", .depth = 8, .nodes = 100'000, .aliases = false, .indices = true})),
+          {.name = "problem", .depth = 8, .nodes = 1'000'000, .aliases = false, .indices = true})),
       reading_{.file = file, .format = "problem"} {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines_.push_back(line);

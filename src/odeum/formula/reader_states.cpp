@@ -155,8 +155,9 @@ void Reader::require_all(const std::string& in, const std::vector<Id>& nodes) {
 }
 
 void Reader::read_equations(const Scope& scope) {
-  required_items("equations");
+  if (!section("reactions")) required_items("equations");
   problem_.equations = read_by_state("equations", scope, problem_.places);
+  if (section("reactions")) read_reactions(scope);
   require_all("equations", problem_.equations);
   for (const Item& item : items("equations"))
     problem_.equations_text +=
@@ -182,6 +183,29 @@ void Reader::read_invariants(const Scope& scope) {
     without_time.refused["t"] = "states and parameters";
     problem_.invariants.push_back(
         {item.key, expression(item, "invariants", without_time), item.value->place});
+  }
+}
+
+void Reader::read_outputs(const Scope& scope) {
+  const Item* const given = section("outputs");
+  if (!given) return;
+  std::vector<Item> all;
+  if (given->value->kind == YamlNode::Kind::sequence)
+    for (const auto& each : given->value->items)
+      all.push_back({scalar(*each, "outputs"), each->place, each.get()});
+  else
+    all = items("outputs");
+  std::set<std::string> names(problem_.states.begin(), problem_.states.end());
+  for (const Item& item : all) {
+    // Taken words may name a column: nothing refers to it.
+    if (item.key.empty() || !begins_name(item.key[0]) ||
+        !std::ranges::all_of(item.key, continues_name))
+      fail(item.key_place, "outputs: not a name; got {}, expected letters, digits and _",
+           shown(item.key));
+    if (!names.insert(item.key).second)
+      fail(item.key_place, "outputs: a column twice; got {}, expected no state, and it once",
+           item.key);
+    problem_.outputs.push_back({item.key, expression(item, "outputs", scope)});
   }
 }
 

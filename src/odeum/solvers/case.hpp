@@ -85,6 +85,13 @@ struct StudySettings {
   std::uint64_t evaluation_budget = 500'000;
 };
 
+/// Quantities that are not components: observables of a network, rates, volumes.
+struct Outputs {
+  std::vector<std::string> names;
+  /// Their values, as many.
+  std::function<void(double t, const double* y, double* values)> at;
+};
+
 /// What was found in a statement, for people: a name of one word, and a text.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
@@ -127,6 +134,7 @@ struct Case {
   Tolerance tolerance = 0;
   std::function<double(const double* y)> energy;  ///< empty where the problem has none
   std::vector<Invariant> invariants;
+  Outputs outputs;
   /// What a scheme gives after `steps` steps of h by a closed form of its own, for a few solvers of
   /// a few cases; false where none is known.
   std::function<bool(const std::string& solver, double h, double steps, double* y)> scheme;

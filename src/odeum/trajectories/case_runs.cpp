@@ -106,6 +106,8 @@ record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
                                 const ExactStates& exact) {
   record::Records table{{"case", "library", "solver", "time"}};
   for (const std::string& name : component_names(c)) table.columns.push_back(name);
+  for (const std::string& name : c.outputs.names)
+    table.columns.push_back(name + (std::ranges::count(table.columns, name) > 0 ? "_" : ""));
   table.columns.insert(table.columns.end(), {"energy", "error"});
   const std::size_t n = c.y0.size();
   const auto add = [&](const std::string& library, const std::string& solver, double t,
@@ -113,6 +115,9 @@ record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
     auto& row = table.rows.emplace_back();
     row = {c.id, library, solver, t};
     row.insert(row.end(), y, y + n);
+    std::vector<double> outputs(c.outputs.names.size());
+    if (c.outputs.at) c.outputs.at(t, y, outputs.data());
+    row.insert(row.end(), outputs.begin(), outputs.end());
     row.insert(row.end(), {c.energy ? c.energy(y) : nan, error});
   };
   for (const CaseRun& run : runs) {
