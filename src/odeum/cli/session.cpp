@@ -15,6 +15,7 @@
 #include "odeum/core/glob.hpp"
 #include "odeum/core/standard_streams.hpp"
 #include "odeum/input/near_words.hpp"
+#include "odeum/input/utf8.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 #include "odeum/studies/elements/problems.hpp"
@@ -72,14 +73,20 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 void print(const std::string& text) {
   // A reader of a pipe may close it (`| head`): the command goes on, for its files and exit code.
   static bool reader_gone = false;
-  if (reader_gone) return;
-  // A long text is written before the flush, which then does not report its failure.
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
-    return;
-  reader_gone = errno == EPIPE;
-  if (reader_gone) return;
-  throw record::FileError(
-      fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
+  constexpr std::size_t most = 1U << 20U;  // so that a long text is not held twice
+  for (std::string_view rest = text; !rest.empty() && !reader_gone;) {
+    const std::size_t line = rest.size() > most ? rest.rfind('\n', most) : std::string::npos;
+    const std::string_view piece = rest.substr(0, std::min(line, rest.size() - 1) + 1);
+    rest.remove_prefix(piece.size());
+    const std::string safe = for_terminal(piece);
+    // A long text is written before the flush, which then does not report its failure.
+    if (std::fwrite(safe.data(), 1, safe.size(), stdout) == safe.size() && std::fflush(stdout) == 0)
+      continue;
+    reader_gone = errno == EPIPE;
+    if (!reader_gone)
+      throw record::FileError(
+          fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
+  }
 }
 
 void remark(const std::string& text) { tell(text + "\n"); }

@@ -14,7 +14,7 @@ Progress::Progress(std::string what, double total)
     : what_(std::move(what)), total_(total), visible_(::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (visible_) tell("\r\x1b[K");
+  if (visible_) tell_in_place("");
 }
 
 void Progress::advance(double amount) {
@@ -26,7 +26,7 @@ void Progress::advance(double amount) {
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double share = total_ > 0 ? std::min(done_ / total_, 1.0) : 1;
   const double left = share > 0 ? elapsed * (1 - share) / share : 0;
-  tell(fmt::format("\r\x1b[K{} {:3.0f}%, {:.0f} s left", what_, 100 * share, left));
+  tell_in_place(fmt::format("{} {:3.0f}%, {:.0f} s left", what_, 100 * share, left));
 }
 
 }  // namespace odeum

@@ -6,8 +6,25 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <string>
+
+#include "odeum/input/utf8.hpp"
 
 namespace odeum {
+namespace {
+
+void write(std::string_view before, std::string_view text) noexcept {
+  try {
+    const std::string all = std::string(before) + for_terminal(text);
+    std::fwrite(all.data(), 1, all.size(), stderr);
+    std::fflush(stderr);
+  } catch (const std::exception&) {  // no memory is left for a remark
+    return;
+  }
+}
+
+}  // namespace
 
 void open_standard_streams() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor) {
@@ -17,9 +34,7 @@ void open_standard_streams() {
   }
 }
 
-void tell(std::string_view text) noexcept {
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fflush(stderr);
-}
+void tell(std::string_view text) noexcept { write("", text); }
+void tell_in_place(std::string_view line) noexcept { write("\r\x1b[K", line); }
 
 }  // namespace odeum

@@ -10,7 +10,10 @@ namespace odeum {
 void open_standard_streams();
 
 /// Writes a text to the standard error, or nothing where that cannot be written: a program does
-/// not end because nobody reads its remarks. Safe to call from several threads.
+/// not end because nobody reads its remarks. Whatever it holds of names and files, it is a
+/// terminal's (for_terminal of input/utf8.hpp). Safe to call from several threads.
 void tell(std::string_view text) noexcept;
+/// The same for a line in place of the last one, which is not ended; empty: none.
+void tell_in_place(std::string_view line) noexcept;
 
 }  // namespace odeum

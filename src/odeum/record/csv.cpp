@@ -52,7 +52,7 @@ std::string text_of_field(std::string field) {
 
 std::string csv_header(const Fields& blank) {
   std::string line = "schema";
-  for (const Field& field : blank) line += ',' + field.column;
+  for (const Field& field : blank) line += ',' + format_text(field.column);
   return line + '\n';
 }
 
@@ -73,7 +73,7 @@ std::vector<Fields> Records::fields() const {
 
 std::string Records::csv() const {
   std::string text = "schema";
-  for (const std::string& column : columns) text += ',' + column;
+  for (const std::string& column : columns) text += ',' + format_text(column);
   for (const std::vector<Cell>& row : rows) {
     text += '\n' + std::to_string(csv_schema);
     for (const Cell& cell : row) text += ',' + csv_field(cell);
