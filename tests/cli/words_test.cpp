@@ -95,6 +95,14 @@ TEST(Words, HelpKeepsToTheWidth) {
   EXPECT_GT(longest, 50U);
 }
 
+TEST(Words, HelpIsACommandToo) {
+  EXPECT_EQ(shell("odeum help run").output, shell("odeum run --help").output);
+  const std::string all = shell("odeum help").output;
+  EXPECT_EQ(all, shell("odeum --help").output);
+  for (const char* group : {"\nQuestions:\n", "\nLaboratory:\n", "\nMany runs:\n", "\nTools:\n"})
+    EXPECT_TRUE(holds(all, group)) << all;
+}
+
 TEST(Words, TheVersionNamesTheCommit) {
   const std::string text = shell("odeum --version").output;
   EXPECT_TRUE(text.starts_with("odeum 0.")) << text;

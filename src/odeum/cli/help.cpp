@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "odeum/cli/session.hpp"
 
@@ -64,6 +67,26 @@ std::string WrappedHelp::make_option(const CLI::Option* option, bool is_position
   if (text.size() + 2 > explanations) text += "\n";
   const std::size_t filled = text.ends_with('\n') ? 0 : text.size();
   return text + std::string(explanations - filled, ' ') + explanation + '\n';
+}
+
+void add_help(CLI::App& app) {
+  app.add_subcommand("help", "the help of a command, as its --help")
+      ->add_option("command", "the command; none: the list of all")
+      ->type_name("COMMAND")
+      ->expected(0, 1);
+}
+
+void group_commands(CLI::App& app) {
+  const std::vector<std::pair<const char*, std::vector<std::string_view>>> groups{
+      {"Questions",
+       {"run", "advise", "why", "precision", "converge", "stability", "limits", "drift"}},
+      {"Many runs", {"sweep", "plan", "shard", "merge", "status"}},
+      {"Tools", {"list", "verify", "classify", "poisson", "doctor", "completion", "help"}}};
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+    command->group("Laboratory");
+    for (const auto& [group, names] : groups)
+      if (std::ranges::find(names, command->get_name()) != names.end()) command->group(group);
+  }
 }
 
 std::string hint_of(const CLI::App& app) {

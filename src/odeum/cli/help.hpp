@@ -15,6 +15,11 @@ class WrappedHelp : public CLI::Formatter {
   std::string make_option(const CLI::Option* option, bool is_positional) const override;
 };
 
+/// Adds the command `help`, which main() reads as --help behind the command that it names.
+void add_help(CLI::App& app);
+/// Puts the commands into the groups in which the help lists them.
+void group_commands(CLI::App& app);
+
 /// For arguments that the command (a subcommand of `app`, or itself) does not know: the nearest of
 /// its options or subcommands, as did_you_mean() says it; empty: none is near.
 std::string hint_of(const CLI::App& app);

@@ -67,14 +67,15 @@ record::Store* seconds_of_tasks(const Session& session) {
   static const std::string folder = formula::cache_folder();
   static const auto store =
       folder.empty() ? nullptr : std::make_unique<record::Store>(folder + "/seconds", 1U << 26);
-  const bool elsewhere = session.role == Role::shard || session.role == Role::merge;
+  const bool elsewhere = session.assignment.role == shards::Role::shard ||
+                         session.assignment.role == shards::Role::merge;
   return elsewhere ? nullptr : store.get();
 }
 
 study::ResultCache result_cache_of(const Session& session, record::Store* store,
                                    const study::Options& options) {
   static const std::string here = mark_of_program() + ' ' + mark_of_machine() + ' ';
-  const std::string build = session.is_alone() ? here : session.plan + ' ';
+  const std::string build = session.assignment.is_alone() ? here : session.assignment.plan + ' ';
   const std::string run = build + options.text() + session.content;
   study::Options settings = options;
   settings.cases.clear();
@@ -82,13 +83,13 @@ study::ResultCache result_cache_of(const Session& session, record::Store* store,
   return {.store = store,
           .dependencies = run,
           .dependencies_of_built_in = build + settings.text(),
-          .share = session.share,
+          .share = session.assignment.share,
           .seconds = seconds_of_tasks(session),
           .settings = "seconds " + settings.text()};
 }
 
 std::unique_ptr<record::Store> open_store(const Session& session, const StudyOptions& options) {
-  if (!session.is_alone()) return store_of_part(session);
+  if (!session.assignment.is_alone()) return shards::store_of(session.assignment);
   const std::string folder = options.no_cache ? "" : formula::cache_folder();
   return folder.empty() ? nullptr : std::make_unique<record::Store>(folder + "/results");
 }

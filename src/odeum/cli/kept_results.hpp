@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 
-#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/studies/study.hpp"
 

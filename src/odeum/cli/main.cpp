@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
 #include <new>
 #include <sstream>
 
-#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/help.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/build_info.hpp"
@@ -69,24 +69,30 @@ int run(const std::vector<std::string>& words, Session& session) {
                                    revision.empty() ? "" : fmt::format(" ({})", revision)));
   app.require_subcommand(0, 1);
   int result = success;
-  add_list(app, session);
   add_run(app, session, result);
   add_advise(app, session, result);
   add_why(app, session, result);
-  add_sweep(app, session, result);
   const odeum::study::Studies studies = odeum::study::make_studies();
   for (const auto& study : studies) add_study(app, session, *study);
   add_report(app, session);
+  add_sweep(app, session, result);
+  add_plan(app, session, result, run);
+  add_list(app, session);
   add_verify(app, session, result);
   add_classify(app, session);
   add_poisson(app);
   add_doctor(app);
   add_completion(app);
-  add_plan(app, session, result, run);
+  add_help(app);
+  group_commands(app);
   add_plugin_option(app);
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // from the back
-  } catch (const CLI::Success& help) {                                  // --help, --version
+    std::vector<std::string> from_back(words.rbegin(), words.rend());
+    // As the word before the command, so the option behind it.
+    if (words.size() < 3 && !words.empty() && words.front() == "help")
+      from_back.back() = "--help", std::ranges::rotate(from_back, from_back.end() - 1);
+    app.parse(std::move(from_back));
+  } catch (const CLI::Success& help) {  // --help, --version
     std::ostringstream text;
     const bool right = app.exit(help, text, text) == 0;
     print(text.str());
@@ -122,6 +128,10 @@ int main(int argc, char** argv) {
   } catch (const odeum::LoadError& error) {
     return ended(usage, fmt::format("--plugin {}", error.what()));
   } catch (const UsageError& error) {
+    return ended(usage, error.what());
+  } catch (const odeum::shards::PlanError& error) {
+    return ended(usage, error.what());
+  } catch (const odeum::study::ResultLost& error) {
     return ended(usage, error.what());
   } catch (const odeum::InputError& error) {
     return ended(usage, error.what());

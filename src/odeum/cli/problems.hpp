@@ -7,7 +7,7 @@
 
 #include "odeum/cases/kinds/kind.hpp"
 #include "odeum/cases/span.hpp"
-#include "odeum/cli/distributed.hpp"
+#include "odeum/cli/session.hpp"
 #include "odeum/core/shell_word.hpp"
 #include "odeum/formula/problem.hpp"
 #include "odeum/report/facts.hpp"

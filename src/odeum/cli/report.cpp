@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "odeum/cases/catalogue.hpp"
-#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
@@ -89,7 +88,7 @@ void run_studies(const Session& session, const study::Studies& studies, const Op
     bool partial = runs.empty();
     for (const study::Options& run : runs) {
       record::Store* const kept =
-          declaration.no_resume.empty() || !session.is_alone() ? store : nullptr;
+          declaration.no_resume.empty() || !session.assignment.is_alone() ? store : nullptr;
       study->measure(run,
                      study::Runner(options.jobs_or_cores(), result_cache_of(session, kept, run)));
       partial = partial || !run.cases.empty() || !run.solvers.empty();
@@ -104,9 +103,10 @@ void run_studies(const Session& session, const study::Studies& studies, const Op
 void run(const Session& session, const Options& options) {
   check_case_globs(options.cases);
   const auto start = std::chrono::steady_clock::now();
-  require_planned_content(session);
+  shards::require_planned_content(session.assignment, session.content);
   std::optional<record::OutputFolder> out;
-  if (const std::string path = session.output(options.out); !path.empty()) out.emplace(path);
+  if (const std::string path = session.assignment.output(options.out); !path.empty())
+    out.emplace(path);
   const study::Studies studies = study::make_studies();
   const auto store = open_store(session, options);
   try {
@@ -114,7 +114,7 @@ void run(const Session& session, const Options& options) {
   } catch (const Interrupted&) {
     throw Stopped(resume_hint(store.get()));
   }
-  require_kept(session, store.get());
+  shards::require_kept(session.assignment, store.get());
   if (!out) return;
   const record::OutputFolder& folder = *out;
   const unsigned jobs = options.jobs_or_cores();
@@ -145,7 +145,7 @@ void run(const Session& session, const Options& options) {
   print(study::summary_text(report.facts(),
                             study::result_of<study::ConvergenceResult>(studies).orders) +
         fmt::format("report: {}\n", report::plain(at.string())));
-  if (session.is_alone()) remark_on(store.get());
+  if (session.assignment.is_alone()) remark_on(store.get());
 }
 
 }  // namespace

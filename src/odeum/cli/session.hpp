@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "odeum/shards/assignment.hpp"
 #include "odeum/solvers/case.hpp"
 
 namespace odeum::study {
@@ -16,7 +18,13 @@ class Study;
 
 namespace odeum::cli {
 
-struct Session;  // distributed.hpp
+/// One command line while it runs: what was loaded for it, and what this process does of it where
+/// it is that of a plan. Not thread-safe.
+struct Session {
+  std::string content;                       ///< tells the files that were loaded from others
+  std::map<std::string, std::string> words;  ///< by case of these files, those that name it
+  shards::Assignment assignment;
+};
 
 /// The exit codes of the command-line contract.
 enum ExitCode {
@@ -43,7 +51,8 @@ class Stopped : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Prints data to stdout. Output to a closed pipe is dropped; a full disk is a FileError.
+/// Prints data to stdout, as a terminal may have it (for_terminal): JSON stays the same data.
+/// Output to a closed pipe is dropped; a full disk is a FileError.
 void print(const std::string& text);
 /// Prints a remark for people to stderr.
 void remark(const std::string& text);

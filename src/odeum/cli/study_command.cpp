@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "odeum/cases/catalogue.hpp"
-#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
@@ -59,18 +58,20 @@ void run_study(const Session& session, study::Study& study, study::Options optio
     throw UsageError("--resume: " + declaration.no_resume);
   check_case_globs(options.cases);
   options.solvers = common.solvers;
-  require_planned_content(session);
+  shards::require_planned_content(session.assignment, session.content);
   std::optional<record::OutputFolder> out;
-  if (const std::string path = session.output(common.out); !path.empty()) out.emplace(path);
-  const auto store =
-      declaration.no_resume.empty() || !session.is_alone() ? open_store(session, common) : nullptr;
+  if (const std::string path = session.assignment.output(common.out); !path.empty())
+    out.emplace(path);
+  const auto store = declaration.no_resume.empty() || !session.assignment.is_alone()
+                         ? open_store(session, common)
+                         : nullptr;
   try {
     study.measure(options, study::Runner(common.jobs_or_cores(),
                                          result_cache_of(session, store.get(), options)));
   } catch (const Interrupted&) {
     throw Stopped(resume_hint(store.get()));
   }
-  require_kept(session, store.get());
+  shards::require_kept(session.assignment, store.get());
   if (!out) return;
   const record::OutputFolder& folder = *out;
   study.write(folder, common.jobs_or_cores());
@@ -78,7 +79,7 @@ void run_study(const Session& session, study::Study& study, study::Options optio
   print(common.format == "json"  ? study.json()
         : common.format == "csv" ? study.csv()
                                  : study.table());
-  if (session.is_alone()) remark_on(store.get());
+  if (session.assignment.is_alone()) remark_on(store.get());
   std::vector<std::string> files;
   for (const auto& [file, columns] : study.files())  // without rows a file is not written
     if (std::filesystem::exists(folder.path() / file)) files.push_back(file);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
-#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/input/yaml_tree.hpp"
@@ -109,10 +109,19 @@ sweep::Plan plan_of(const Session& session, const SweepOptions& options, const C
     if (const auto error = sweep::error_of_members(c)) plan.quantities.push_back(*error);
   plan.checks = options.check;
   const Request outputs = with_outputs(plan.request, settings, c);
-  if (!session.output(options.out).empty()) plan.over_time = outputs;
+  if (!session.assignment.output(options.out).empty()) plan.over_time = outputs;
   for (const sweep::Quantity& quantity : plan.quantities)
     if (quantity.over_time()) plan.request = outputs;
   return plan;
+}
+
+/// Without checks and studies no truth is asked for.
+Case case_for(Session& session, const SweepOptions& options) {
+  if (options.check > 0 || options.study != "run")
+    return case_within(session, options.what, options.problems, options.settings);
+  Case c = case_before_truth(session, cases::Named(options.what), options.problems);
+  check_span(options.settings, c.t0, c.end());
+  return c;
 }
 
 /// Advice needs none.
@@ -124,33 +133,34 @@ std::vector<std::string> solvers_of(const SweepOptions& options) {
 
 int sweep_on(Session& session, const SweepOptions& options, const CLI::App& command) {
   try {
-    const Case c = case_within(session, options.what, options.problems, options.settings);
+    std::optional<record::OutputFolder> folder;
+    const std::string out = session.assignment.output(options.out);
+    if (!out.empty()) folder.emplace(out);
+    const Case c = case_for(session, options);
     std::vector<sweep::Plan> plans;
     for (const std::string& solver : solvers_of(options))
       plans.push_back(plan_of(session, options, c, solver));
-    require_planned_content(session);
-    const auto store = session.is_alone() ? nullptr : store_of_part(session);
+    shards::require_planned_content(session.assignment, session.content);
+    const auto store =
+        session.assignment.is_alone() ? nullptr : shards::store_of(session.assignment);
     const sweep::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
-    std::optional<record::OutputFolder> folder;
-    const std::string out = session.output(options.out);
-    if (!out.empty()) folder.emplace(out);
     std::vector<sweep::Result> results;
     std::string text;
     auto json = nlohmann::ordered_json::array();
     std::uint64_t solved = 0;
     for (sweep::Plan& plan : plans) {
-      if (!session.is_alone())
+      if (!session.assignment.is_alone())
         plan.kept = {.store = store.get(),
-                     .dependencies = session.plan + session.content,
-                     .share = session.share};
+                     .dependencies = session.assignment.plan + session.content,
+                     .share = session.assignment.share};
       results.push_back(sweep::run(plan));
-      if (session.is_plan_or_shard()) continue;
+      if (session.assignment.is_plan_or_shard()) continue;
       text += sweep::text_of(plan, results.back(), asked);
       json.push_back(sweep::json_of(plan, results.back(), asked));
       solved += results.back().solved;
     }
-    require_kept(session, store.get());
-    if (session.is_plan_or_shard()) return success;
+    shards::require_kept(session.assignment, store.get());
+    if (session.assignment.is_plan_or_shard()) return success;
     if (json.size() == 1) json = nlohmann::ordered_json(json.front());
     const sweep::Joined all = sweep::join(plans, std::move(results));
     print(options.format == "json"  ? json.dump(2) + "\n"

@@ -24,6 +24,11 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view unfinished = "work-";
 
+fs::path& given_base() {
+  static fs::path base;
+  return base;
+}
+
 std::string host() {
   char name[256] = {};
   ::gethostname(name, sizeof name - 1);
@@ -117,7 +122,7 @@ std::string environment(const char* name) {
 }
 
 CacheFolder find_cache_folder() {
-  fs::path base = environment("XDG_CACHE_HOME");
+  fs::path base = given_base().empty() ? fs::path(environment("XDG_CACHE_HOME")) : given_base();
   if (base.empty() && !environment("HOME").empty()) base = environment("HOME") + "/.cache";
   if (!base.is_absolute()) return {"", "neither $XDG_CACHE_HOME nor $HOME is an absolute path"};
   std::error_code failed;
@@ -131,6 +136,8 @@ CacheFolder find_cache_folder() {
   if (::chmod(folder.c_str(), 0700) != 0) return {"", folder.string() + " cannot be closed"};
   return {folder.string(), ""};
 }
+
+void keep_cache_in(const fs::path& base) { given_base() = base; }
 
 std::string cache_folder() { return find_cache_folder().path; }
 

@@ -20,6 +20,8 @@ struct CacheFolder {
 CacheFolder find_cache_folder();
 /// Its path alone.
 std::string cache_folder();
+/// Takes another folder than $XDG_CACHE_HOME from now on. To be called before threads begin.
+void keep_cache_in(const std::filesystem::path& base);
 /// A variable of the environment; empty where there is none of that name.
 std::string environment(const char* name);
 /// 32 hexadecimal digits that identify a text.

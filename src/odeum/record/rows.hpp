@@ -44,6 +44,7 @@ class RecordSource : public FieldSource {
  public:
   explicit RecordSource(std::string_view text) : rest_(text) {}
   std::string next(const std::string& column) override;
+  bool ended() const { return rest_.empty(); }
 
  private:
   std::string_view rest_;
@@ -187,6 +188,7 @@ Result from_record(std::string_view text) {
     for (std::int64_t left = integer_of(source.next("")); left > 0; --left)
       rows.push_back(row_of<Row>(source, true));
   });
+  if (!source.ended()) throw BadField();
   return result;
 }
 

@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view extension = ".results";
-
 // Tabs, line breaks and backslashes escaped, so that a result is one line.
 std::string escape(std::string_view text) {
   std::string escaped;

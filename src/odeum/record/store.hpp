@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace odeum::record {
@@ -17,6 +18,9 @@ namespace odeum::record {
 /// results count as absent, and problem() tells why writing failed.
 class Store {
  public:
+  /// The end of the names of its files.
+  static constexpr std::string_view extension = ".results";
+
   /// Makes the folder, and removes the files that were used least recently until the rest has at
   /// most `most_bytes`.
   explicit Store(std::filesystem::path folder, std::uintmax_t most_bytes = 1U << 30);

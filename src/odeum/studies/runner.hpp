@@ -77,6 +77,12 @@ struct PlannedTasks {
            const std::function<void(std::size_t)>& work);
 };
 
+/// A result of a shard that is not there, or is not one of the task: the shard is bad input.
+class ResultLost : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// The tasks of a command that this process does.
 struct Share {
   std::uint64_t at = 0;
@@ -173,9 +179,13 @@ class Runner {
     using Result = decltype(work());
     if (!cache_.store) return work();
     const std::string name = key(), dependencies = dependencies_of(task);
-    if (const auto kept = cache_.store->take(dependencies, name))
-      return record::from_record<Result>(*kept);
-    if (cache_.share.all_kept) throw std::runtime_error("the shards lack the result of " + name);
+    if (const auto kept = cache_.store->take(dependencies, name)) try {
+        return record::from_record<Result>(*kept);
+      } catch (const record::BadField&) {
+        if (cache_.share.all_kept)
+          throw ResultLost("the result of " + name + " in the shards is damaged");
+      }
+    if (cache_.share.all_kept) throw ResultLost("the shards lack the result of " + name);
     const double start = thread_seconds();
     Result result = work();
     // An interrupted task has no result.

@@ -19,9 +19,12 @@ struct Part {
 void add_ending(std::map<std::string, Ending>& endings, const std::string& status,
                 const Ending& more);
 
-/// A part as text, by which it is kept, and back; the results of its members, `quantities` each,
-/// go to `results`. Throws std::runtime_error for a text that is none.
+/// A part as text, by which it is kept.
 std::string text_of(const Part& part);
-Part part_of(const std::string& text, std::size_t quantities, double* results);
+/// The part of the plan's members from `first` to before `last` in such a text; their results, as
+/// many each as the plan has quantities, go to `results`. Throws study::ResultLost for a text that
+/// is not that of a part, or of other members.
+Part part_of(const std::string& text, const Plan& plan, std::uint64_t first, std::uint64_t last,
+             double* results);
 
 }  // namespace odeum::sweep

@@ -2,7 +2,6 @@
 #include "odeum/sweep/sweep.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -90,8 +89,9 @@ class Sweep {
   }
 
   std::string header() const {
-    std::string text =
-        fmt::format("schema,member,solver,{},status,detail", fmt::join(plan_.members.names(), ","));
+    std::string text = "schema,member,solver";
+    for (const std::string& name : plan_.members.names()) text += ',' + record::format_text(name);
+    text += ",status,detail";
     for (const Quantity& quantity : plan_.quantities)
       text += ',' + record::format_text(quantity.name);
     return text + ",rhs_evaluations\n";
@@ -108,10 +108,10 @@ class Sweep {
     const study::ResultCache& kept = plan_.kept;
     if (!kept.store) return run_part(first, last);
     const std::string key = fmt::format("{} members {} to {}", plan_.solver, first, last);
-    const std::size_t quantities = plan_.quantities.size();
     if (const auto text = kept.store->take(kept.dependencies, key))
-      return part_of(*text, quantities, result_.results.data() + first * quantities);
-    if (kept.share.all_kept) throw std::runtime_error("the shards lack " + key);
+      return part_of(*text, plan_, first, last,
+                     result_.results.data() + first * plan_.quantities.size());
+    if (kept.share.all_kept) throw study::ResultLost("the shards lack " + key);
     Part part = run_part(first, last);
     if (interrupted) throw Interrupted();
     kept.store->add(kept.dependencies, key, text_of(part));

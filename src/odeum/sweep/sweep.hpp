@@ -93,7 +93,7 @@ struct Result {
 
 /// Runs every member, on plan.jobs threads, those of a timed study on one; a member that fails is a
 /// row with its status. Throws std::invalid_argument for a parameter that the case does not have,
-/// std::runtime_error for a result that shards lack, and Interrupted.
+/// study::ResultLost for a result that shards lack, and Interrupted.
 Result run(const Plan& plan);
 
 /// The values of all of the case's parameters for a member, in the order of Case::parameters.

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// The scripts with which shards are handed to Slurm as job arrays.
-namespace odeum::cli {
+namespace odeum::shards {
 
 /// A task of an array: `run` is the folder of the plan. More `#SBATCH` lines may be added to it.
 std::string shard_script(const std::filesystem::path& run);
@@ -16,4 +16,4 @@ std::string submit_script(std::uint64_t shards, std::uint64_t first_alone);
 /// Submits just these shards, in ascending order.
 std::string resubmit_script(const std::vector<std::uint64_t>& shards, std::uint64_t first_alone);
 
-}  // namespace odeum::cli
+}  // namespace odeum::shards

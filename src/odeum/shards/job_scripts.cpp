@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/cli/job_scripts.hpp"
+#include "odeum/shards/job_scripts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 
 #include "odeum/core/shell_word.hpp"
 
-namespace odeum::cli {
+namespace odeum::shards {
 namespace {
 
 // An index of an array is below MaxArraySize: tasks get the offset of theirs. A refused sbatch ends
@@ -90,4 +90,4 @@ std::string resubmit_script(const std::vector<std::uint64_t>& shards, std::uint6
   return text;
 }
 
-}  // namespace odeum::cli
+}  // namespace odeum::shards
