@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -13,6 +14,7 @@
 #include "fmi/model.hpp"
 #include "odeum/core/checksum.hpp"
 #include "odeum/isolated/isolated_process.hpp"
+#include "odeum/isolated/kept_arithmetic.hpp"
 #include "odeum/linear/dense_limit.hpp"
 #include "odeum/solvers/foreign_problem.hpp"
 #include "odeum/solvers/runtime_library.hpp"
@@ -34,27 +36,38 @@ std::string content_of(const fs::path& file) {
 struct Fmu {
   TemporaryFolder folder;  ///< kept for its resources
   Description description;
-  std::vector<double> stops;
-  std::unique_ptr<Model> model;
+  Values values;
+  std::vector<double> y0, stops;
+  bool non_autonomous = false, has_jacobian = false;
   double reach = 0;  ///< of differences in time
 
-  void load(const Values& values) { model = make_model(description, folder.path(), values); }
+  /// The model, which is loaded at the first call: in a process of its own.
+  Model& model() {
+    if (!model_) {
+      const isolated::KeptArithmetic kept;
+      model_ = make_model(description, folder.path(), values);
+    }
+    return *model_;
+  }
+
+ private:
+  std::unique_ptr<Model> model_;
 };
 
 Fmu& fmu_of(void* data) { return *static_cast<Fmu*>(data); }
 
 int rhs(void* data, double t, const double* y, double* dydt) {
-  return fmu_of(data).model->rhs(t, y, dydt);
+  return fmu_of(data).model().rhs(t, y, dydt);
 }
 
 int jacobian(void* data, double t, const double* y, double* j) {
-  return fmu_of(data).model->jacobian(t, y, j);
+  return fmu_of(data).model().jacobian(t, y, j);
 }
 
 /// df/dt by differences of order 2: central, from the first time on forward.
 int time_derivative(void* data, double t, const double* y, double* dfdt) {
   Fmu& fmu = fmu_of(data);
-  const std::size_t n = fmu.model->y0.size();
+  const std::size_t n = fmu.y0.size();
   const double d = fmu.reach;
   const bool forward = t - d < fmu.description.t0;
   std::vector<double> a(n), b(n), here(forward ? n : 0);
@@ -69,33 +82,33 @@ int time_derivative(void* data, double t, const double* y, double* dfdt) {
 
 /// Whether f differs between times at one state.
 bool depends_on_time(Fmu& fmu) {
-  const std::size_t n = fmu.model->y0.size();
+  const std::size_t n = fmu.y0.size();
   const double t0 = fmu.description.t0, length = fmu.description.stop - t0;
   std::vector<double> first(n), f(n);
-  rhs(&fmu, t0, fmu.model->y0.data(), first.data());
+  rhs(&fmu, t0, fmu.y0.data(), first.data());
   for (int k = 1; k <= 64; ++k) {
     // Not on a grid, which a period could meet.
     const double t = t0 + length * std::fmod(k * 0.6180339887498949, 1.0);
-    if (rhs(&fmu, t, fmu.model->y0.data(), f.data()) != 0) return true;
+    if (rhs(&fmu, t, fmu.y0.data(), f.data()) != 0) return true;
     if (!std::equal(f.begin(), f.end(), first.begin())) return true;
   }
   return false;
 }
 
-/// The functions of a loaded model.
-odeum_problem functions_of(Fmu& fmu, const char* name, bool non_autonomous) {
+/// The functions of a model whose facts are known.
+odeum_problem functions_of(Fmu& fmu, const char* name) {
   const Description& d = fmu.description;
   odeum_problem p{};
   p.name = name;
-  p.dimension = fmu.model->y0.size();
+  p.dimension = fmu.y0.size();
   p.t0 = d.t0;
-  p.y0 = fmu.model->y0.data();
+  p.y0 = fmu.y0.data();
   p.stops = fmu.stops.data();
   p.stop_count = fmu.stops.size();
   p.data = &fmu;
   p.rhs = rhs;
-  if (fmu.model->has_jacobian() && p.dimension <= dense_dimension_limit) p.jacobian = jacobian;
-  if (non_autonomous) p.time_derivative = time_derivative;
+  if (fmu.has_jacobian && p.dimension <= dense_dimension_limit) p.jacobian = jacobian;
+  if (fmu.non_autonomous) p.time_derivative = time_derivative;
   return p;
 }
 
@@ -180,31 +193,45 @@ std::shared_ptr<Fmu> read(const std::string& file) {
   return fmu;
 }
 
-/// Whatever its code does, it does first in a process of its own. Whether f depends on time.
-bool try_out(Fmu& fmu, const char* name, const Values& values) {
-  const auto [ended, said] = isolated::text_isolated([&]() -> std::string {
-    try {
-      fmu.load(values);
-      isolated::alive();
-      const bool in_time = fmu.description.names_time || depends_on_time(fmu);
-      const std::string fault = foreign::Problem(functions_of(fmu, name, in_time)).fault();
-      return fault.empty() ? (in_time ? "+t" : "+") : fault;
-    } catch (const LoadError& error) {
-      return error.what();
-    }
-  });
-  if (!ended || !said.starts_with("+")) throw LoadError(said);
-  return said == "+t";
+/// What is known of a model once its code has run, as text.
+std::string facts_from_code(Fmu& fmu, const char* name) {
+  fmu.y0 = fmu.model().y0;
+  fmu.has_jacobian = fmu.model().has_jacobian();
+  isolated::alive();
+  fmu.non_autonomous = fmu.description.names_time || depends_on_time(fmu);
+  if (std::string fault = foreign::Problem(functions_of(fmu, name)).fault(); !fault.empty())
+    return fault;
+  std::string facts{'+', fmu.non_autonomous ? 't' : ' ', fmu.has_jacobian ? 'j' : ' '};
+  return facts.append(reinterpret_cast<const char*>(fmu.y0.data()), fmu.y0.size() * sizeof(double));
+}
+
+/// Learns that in a process of its own.
+void try_out(Fmu& fmu, const char* name) {
+  constexpr std::size_t room = 1U << 26U, head = 3;
+  const auto [ended, said] = isolated::text_isolated(
+      [&]() -> std::string {
+        try {
+          return facts_from_code(fmu, name);
+        } catch (const LoadError& error) {
+          return error.what();
+        }
+      },
+      room);
+  if (!ended || !said.starts_with("+") || said.size() < head) throw LoadError(said);
+  fmu.non_autonomous = said[1] == 't';
+  fmu.has_jacobian = said[2] == 'j';
+  fmu.y0.resize((said.size() - head) / sizeof(double));
+  std::memcpy(fmu.y0.data(), said.data() + head, fmu.y0.size() * sizeof(double));
 }
 
 foreign::ProblemCallbacks open(const std::string& file, const Values& values) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) throw LoadError("is not a file");
   const std::shared_ptr<Fmu> fmu = read(file);
-  const bool in_time = try_out(*fmu, "of the FMU", values);
-  fmu->load(values);
+  fmu->values = values;
+  try_out(*fmu, "of the FMU");
   foreign::ProblemCallbacks given;
-  given.functions = functions_of(*fmu, "of the FMU", in_time);
+  given.functions = functions_of(*fmu, "of the FMU");
   given.keep_alive = fmu;
   const Description& d = fmu->description;
   given.title = d.model.empty() ? d.identifier : d.model;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "odeum/isolated/isolated_process.hpp"
+#include "odeum/isolated/kept_arithmetic.hpp"
 #include "odeum/solvers/dense_jacobian.hpp"
 #include "odeum/solvers/foreign_problem.hpp"
 
@@ -231,9 +232,10 @@ std::string fault_of(const odeum_solver& solver) {
   return {};
 }
 
-Solver solver_of(const odeum_solver& solver, const std::string& library) {
+Solver solver_of(const std::shared_ptr<const Plugin>& plugin, std::size_t number) {
+  const odeum_solver& solver = plugin->image().solvers[number];
   SolverInfo info;
-  info.library = library;
+  info.library = plugin->image().name;
   info.method = solver.name;
   info.family = solver.family ? foreign::cleaned(solver.family) : "plugin";
   info.order = solver.order;
@@ -247,14 +249,17 @@ Solver solver_of(const odeum_solver& solver, const std::string& library) {
     info.needs = "a second-order problem q'' = a(t, q, v)";
   else if (solver.needs & ODEUM_NEEDS_JACOBIAN)
     info.needs = "a dense Jacobian (differenced where there is none)";
-  return {std::move(info), [&solver](const ErasedContest& contest, Entrant& entrant) {
-            entrant.unfit = unfit(solver, contest.view);
+  return {std::move(info), [plugin, number](const ErasedContest& contest, Entrant& entrant) {
+            entrant.unfit = unfit(plugin->image().solvers[number], contest.view);
             if (!entrant.unfit.empty()) return;
             const auto ended = std::make_shared<isolated::Ended>();
-            entrant.solve = [&solver, contest, ended](const Request& request) {
+            entrant.solve = [plugin, number, contest, ended](const Request& request) {
               return isolated::solve_isolated(
-                  [&](const Request& inner) { return Solve(solver, contest, inner)(); }, request,
-                  contest.view.dimension, *ended);
+                  [&](const Request& inner) {
+                    const isolated::KeptArithmetic kept;
+                    return Solve(plugin->loaded().solvers[number], contest, inner)();
+                  },
+                  request, contest.view.dimension, *ended);
             };
           }};
 }

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <memory>
 #include <string>
-#include <vector>
 
 #include "odeum/plugin.h"
 #include "odeum/solvers/solver.hpp"
+#include "plugin/image.hpp"
 
 namespace odeum::adapters::plugin {
 
 /// What is wrong with the description, in a sentence; empty where nothing is.
 std::string fault_of(const odeum_solver& solver);
 
-/// The solver, which has to outlive it; each solve is made in a process of its own.
-Solver solver_of(const odeum_solver& solver, const std::string& library);
+/// A solver of the plug-in; each solve is made in a process of its own, which loads it.
+Solver solver_of(const std::shared_ptr<const Plugin>& plugin, std::size_t number);
 
 }  // namespace odeum::adapters::plugin

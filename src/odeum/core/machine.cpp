@@ -109,10 +109,10 @@ std::string how_compiled([[maybe_unused]] const std::string& path) {
 #endif
 }
 
-double seconds_of_environment(const char* variable, double otherwise) {
+double number_of_environment(const char* variable, double otherwise) {
   const char* const given = std::getenv(variable);
-  const double seconds = given ? std::atof(given) : 0;
-  return seconds > 0 ? std::min(seconds, 86400.0) : otherwise;
+  const double number = given ? std::atof(given) : 0;
+  return number > 0 ? std::min(number, 86400.0) : otherwise;
 }
 
 std::string utc_text(std::chrono::system_clock::time_point time) {

@@ -20,8 +20,9 @@ inline constexpr const char* unoptimised = "without optimisation";
 /// or no such file.
 std::string how_compiled(const std::string& path);
 
-/// The seconds that a variable of the environment gives, a day at most; without it `otherwise`.
-double seconds_of_environment(const char* variable, double otherwise);
+/// The positive number that a variable of the environment gives, at most 86,400, the seconds of a
+/// day; without it `otherwise`.
+double number_of_environment(const char* variable, double otherwise);
 
 /// A time as ISO 8601, UTC, to the second.
 std::string utc_text(std::chrono::system_clock::time_point time);

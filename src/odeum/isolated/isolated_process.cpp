@@ -2,7 +2,6 @@
 #include "odeum/isolated/isolated_process.hpp"
 
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -95,8 +94,6 @@ std::string wait_for(pid_t process, Report& report, double seconds, bool& over_b
   }
   if (descriptor >= 0) close(descriptor);
   if (!why.empty()) return why;
-  // Processes that it left behind.
-  kill(-process, SIGKILL);
   if (WIFSIGNALED(state))
     return fmt::format("foreign code crashed: {} (signal {})", strsignal(WTERMSIG(state)),
                        WTERMSIG(state));
@@ -108,11 +105,8 @@ std::string wait_for(pid_t process, Report& report, double seconds, bool& over_b
 /// The work in a process of its own, see wait_for. The process ends with the thread that waits.
 std::string run_isolated(Report& report, double seconds, bool& over_budget,
                          const std::function<void()>& work) {
-  const pid_t parent = getpid();
-  const pid_t process = start_child([&] {
+  const pid_t process = start_child(Lifetime::thread, [&] {
     own_report = &report;
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(1);
     try {
       work();
     } catch (const std::exception& error) {
@@ -160,7 +154,7 @@ Outcome read_result(Report& report, std::size_t room) {
 
 }  // namespace
 
-double longest_silence() { return seconds_of_environment("ODEUM_SILENCE_SECONDS", 5); }
+double longest_silence() { return number_of_environment("ODEUM_SILENCE_SECONDS", 5); }
 
 bool in_isolated_process() { return own_report != nullptr; }
 void alive(Sign sign) {

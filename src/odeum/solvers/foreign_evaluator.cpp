@@ -50,7 +50,7 @@ bool Evaluator::start() {
   ++starts_;
   int pair[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair) != 0) return false;
-  process_ = isolated::start_child([&] {
+  process_ = isolated::start_child(isolated::Lifetime::open, [&] {
     close(pair[0]);
     serve(pair[1]);
   });

@@ -8,6 +8,7 @@
 
 #include "odeum/core/numbers.hpp"
 #include "odeum/isolated/isolated_process.hpp"
+#include "odeum/isolated/kept_arithmetic.hpp"
 #include "odeum/linear/dense_limit.hpp"
 
 namespace odeum::foreign {
@@ -108,6 +109,7 @@ int Problem::direct(int function, double t, const double* in, double* out) const
   isolated::alive(function == f || function == second ? Sign::evaluation
                   : function == f_y                   ? Sign::jacobian
                                                       : Sign::other);
+  const isolated::KeptArithmetic kept;
   switch (function) {
     case f:
       return p_.rhs(p_.data, t, in, out);

@@ -12,7 +12,8 @@
 namespace odeum::foreign {
 
 /// The problem of a plug-in or an FMU: called directly in a process of a solve, through an
-/// Evaluator elsewhere.
+/// Evaluator elsewhere. Its functions load the code where they are called first, which is never in
+/// the process of the laboratory.
 class Problem {
  public:
   explicit Problem(const odeum_problem& description);
