@@ -60,6 +60,8 @@ std::vector<Hostile> hostile_files() {
       {"nan.yaml", "states: {x: .nan}\n" + rest, ":1:13: states: x: not a number"},
       {"large.yaml", "states: {x: 1e999}\n" + rest, ":1:13: states: x: a number out of range"},
       {"end.yaml", "states: {x: 1}\nequations: {x: -x}\ntime: {end: .inf}\n", ":3:13: time: end"},
+      {"timed.yaml", "states: {x: 1}\n" + rest + "case: {timed_stops: 0}\n",
+       ":4:21: timed_stops: got 0, expected a time after 0"},
       {"scene.yaml",
        "particles: [{mass: 1, pos: [.nan, 0, 0]}]\nsolver: {type: rk4, timestep: 0.1}\n",
        ":1:29: particles[0].pos[0]: not finite"},

@@ -2,7 +2,10 @@
 // Commands whose standard output or standard error is closed, full, or read by nobody.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <regex>
+#include <sstream>
 
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
@@ -33,7 +36,39 @@ constexpr const char* commands[] = {
     "plan converge free_fall --solver rk4 --quick --shards 1 --out plan",
     "verify no_such_file.yaml",
     "completion bash",
+    "help run",
+    "classify 1 0 1",
+    "poisson no_such_file.msh --load 1",
+    "shard nowhere 0",
+    "merge nowhere",
+    "status nowhere",
+    "report --case nothing_like_it",
+    "limits --solver nothing_like_it",
+    "reduction --solver nothing_like_it",
+    "material --solver nothing_like_it",
+    "cloth --solver nothing_like_it",
+    "cost --solver nothing_like_it",
+    "mesh --solver nothing_like_it",
+    "elements --problem nothing_like_it",
+    "evolution --solver nothing_like_it",
+    "proof --solver nothing_like_it",
 };
+
+TEST(StandardStreamsList, HasEveryCommand) {
+  std::istringstream help(shell("odeum --help").output);
+  const std::regex entry("  ([a-z]+)  +[a-z].*");
+  std::size_t found = 0;
+  std::smatch match;
+  for (std::string line; std::getline(help, line);) {
+    if (!std::regex_match(line, match, entry)) continue;
+    ++found;
+    const std::string name = match[1];
+    EXPECT_TRUE(std::ranges::any_of(commands, [&](const std::string& command) {
+      return command.starts_with(name);
+    })) << name;
+  }
+  EXPECT_GE(found, 25U);
+}
 
 class StandardStreams : public testing::TestWithParam<const char*> {
  protected:

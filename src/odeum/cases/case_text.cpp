@@ -81,15 +81,20 @@ std::vector<double> CaseText::numbers(const std::string& key) {
   return all;
 }
 
-std::vector<double> CaseText::stops() {
-  if (!has("stops")) return problem_.stops;
-  std::vector<double> all = numbers("stops");
+std::vector<double> CaseText::times(const std::string& key) {
+  std::vector<double> all = numbers(key);
   auto before = static_cast<double>(problem_.t0);
   for (const double stop : all) {
     if (!(stop > before))
-      fail(find("stops")->place, "stops: got {}, expected a time after {}", stop, before);
+      fail(find(key)->place, "{}: got {}, expected a time after {}", key, stop, before);
     before = stop;
   }
+  return all;
+}
+
+std::vector<double> CaseText::stops() {
+  if (!has("stops")) return problem_.stops;
+  std::vector<double> all = times("stops");
   if (all.empty()) fail(find("stops")->place, "stops: got none, expected one at least");
   return all;
 }

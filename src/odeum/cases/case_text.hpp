@@ -39,6 +39,8 @@ class CaseText : protected formula::CaseSection {
  protected:
   /// The number, or the entries of the list, of a key; none where it is not given.
   std::vector<double> numbers(const std::string& key);
+  /// Numbers that ascend from the case's start; none without the key.
+  std::vector<double> times(const std::string& key);
   template <class Number>
   void take_number(const std::string& key, Number& value) {
     const std::vector<double> given = numbers(key);

@@ -109,7 +109,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     take_number("finest_steps", settings.finest_steps);
     take_number("evaluation_budget", settings.evaluation_budget);
     if (source_.span.given()) return;
-    settings.timed_stops = numbers("timed_stops");
+    settings.timed_stops = times("timed_stops");
     take_number("timed_floor", settings.timed_floor);
   }
 
@@ -117,7 +117,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
   void add_stops() {
     std::vector<double>& stops = problem_.stops = case_.stops;
     if (!source_.span.given())
-      for (const double timed : numbers("timed_stops")) stops.push_back(timed);
+      for (const double timed : times("timed_stops")) stops.push_back(timed);
     std::ranges::sort(stops);
     stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "odeum/cli/classify.hpp"
 #include "odeum/cli/run.hpp"
@@ -214,6 +215,8 @@ void classify(Session& session, const ClassifyOptions& given) {
     print(describe(pde.at(at[0], at[1]), pde.second()));
   }
   if ((!given.at.empty() || pde.constant()) && given.out.empty()) return;
+  std::optional<record::OutputFolder> folder;
+  if (!given.out.empty()) folder.emplace(given.out);
   fem::PdeMap map;
   try {
     const auto& r = given.region;
@@ -222,14 +225,13 @@ void classify(Session& session, const ClassifyOptions& given) {
     throw UsageError("--region: {}", error.what());
   }
   print(describe(map));
-  if (given.out.empty()) return;
-  const record::OutputFolder folder(given.out);
+  if (!folder) return;
   const std::string title = given.pde.size() == 1
                                 ? given.pde[0]
                                 : fmt::format("({}) u_xx + ({}) u_xy + ({}) u_yy", given.pde[0],
                                               given.pde[1], given.pde[2]);
-  folder.write("classify.csv", csv_of(map, pde.second()));
-  const bool page = write_page(folder, map, title, pde.second());
+  folder->write("classify.csv", csv_of(map, pde.second()));
+  const bool page = write_page(*folder, map, title, pde.second());
   remark_on_page(page);
   remark("{}classify.csv {} in {}", page ? "index.html, " : "", page ? "are" : "is", given.out);
 }

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "odeum/cli/session.hpp"
@@ -197,6 +198,8 @@ trajectories::RunTexts page_texts(const PoissonOptions& given, const std::string
 
 void solve(const PoissonOptions& given) {
   const fem::GmshMesh coarse = read_mesh(given.mesh);
+  std::optional<record::OutputFolder> out;
+  if (!given.out.empty()) out.emplace(given.out);
   auto middles = std::make_shared<Middles>(given_edges(coarse, given.on));
   fem::EllipticProblem problem = make_problem(given);
   if (given.mean_zero && !middles->empty())
@@ -216,8 +219,8 @@ void solve(const PoissonOptions& given) {
     solution.add(levels);
   }
   print(solution.summary() + '\n');
-  if (given.out.empty()) return;
-  const record::OutputFolder folder(given.out);
+  if (!out) return;
+  const record::OutputFolder& folder = *out;
   const fem::TriangleMesh& mesh = levels.finest().mesh;
   const std::vector<fem::NodalField> fields = solution.fields(mesh);
   // A browser shows no more triangles at once.

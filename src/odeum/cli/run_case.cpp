@@ -135,9 +135,9 @@ std::string why_text(const Case& c, const CaseRun& run, const RunOptions& option
 }
 
 /// Writes the files of the runs and their page; returns the lines that name them.
-std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const RunOptions& options,
+std::string write_files(const record::OutputFolder& folder, const Case& c,
+                        const std::vector<CaseRun>& runs, const RunOptions& options,
                         bool from_file) {
-  const record::OutputFolder folder(options.out);
   trajectories::RunTexts texts{
       .title = c.title,
       .lead = c.id,
@@ -171,7 +171,7 @@ void solve(CaseRun& run) {
 /// Solves before the truth is known, which may take much longer, says how each run ended, and
 /// writes the files.
 void solve_before_truth(std::vector<CaseRun>& runs, const Case& c, const RunOptions& options,
-                        bool from_file) {
+                        const std::optional<record::OutputFolder>& folder, bool from_file) {
   for (CaseRun& run : runs) {
     const std::clock_t begin = std::clock();
     solve(run);
@@ -179,7 +179,7 @@ void solve_before_truth(std::vector<CaseRun>& runs, const Case& c, const RunOpti
         first_text(run, c.y0.size(), static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC));
     if (interrupted) return;
   }
-  if (!options.out.empty() && !runs.empty()) write_files(c, runs, options, from_file);
+  if (folder && !runs.empty()) write_files(*folder, c, runs, options, from_file);
 }
 
 /// What was found in a file, for people.
@@ -232,9 +232,11 @@ int run_case(Session& session, const cases::Named& what, const RunOptions& given
                           !has_setting(given.settings) && options.out.empty();
   std::vector<CaseRun> runs;
   if (!only_found) runs = runs_of(c, options);
+  std::optional<record::OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
   const bool waits = options.truth && c.compute_truth;
   if (waits) {
-    solve_before_truth(runs, c, options, from_file);
+    solve_before_truth(runs, c, options, folder, from_file);
     if (interrupted) return interrupted_code;
     complete(c);
   }
@@ -261,7 +263,7 @@ int run_case(Session& session, const cases::Named& what, const RunOptions& given
     if (run.outcome.status != Status::ok) say(why_text(c, run, options));
     any_close = any_close || (run.outcome.status == Status::ok && !errors.back().diverged);
   }
-  if (!options.out.empty()) say(write_files(c, runs, options, from_file));
+  if (folder) say(write_files(*folder, c, runs, options, from_file));
   if (rows) {
     const RunRows all = rows_of(c, runs, errors);
     print(options.format == "json" ? record::json_of(all) : record::csv_text(all.rows));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "odeum/cases/conditions.hpp"
 #include "odeum/cli/run.hpp"
@@ -50,9 +51,8 @@ std::vector<trajectories::CaseRun> shown_runs(const Case& c, const why::Why& why
   return runs;
 }
 
-void write_files(const std::string& out, const Case& c, const why::Why& why,
+void write_files(const record::OutputFolder& folder, const Case& c, const why::Why& why,
                  const advise::Asked& asked) {
-  const record::OutputFolder folder(out);
   folder.write("why.txt", why::text_of(why, c, asked));
   folder.write("why.json", why::json_of(why, c, asked).dump(2) + "\n");
   trajectories::RunTexts texts{.title = c.title,
@@ -71,6 +71,8 @@ void write_files(const std::string& out, const Case& c, const why::Why& why,
 
 int why_on(Session& session, const WhyOptions& options, const CLI::App& command) {
   require_positive("--seconds", options.seconds);
+  std::optional<record::OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
   // A truth that takes longer is known in part, or not at all.
   constexpr double for_truth = 0.25, least = 0.5;
   const auto start = std::chrono::steady_clock::now();
@@ -89,7 +91,7 @@ int why_on(Session& session, const WhyOptions& options, const CLI::App& command)
   print(options.format == "json"  ? why::json_of(why, c, asked).dump(2) + "\n"
         : options.format == "csv" ? why::segments_of(why).csv()
                                   : why::text_of(why, c, asked));
-  if (!options.out.empty()) write_files(options.out, c, why, asked);
+  if (folder) write_files(*folder, c, why, asked);
   return success;
 }
 

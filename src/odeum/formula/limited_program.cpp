@@ -13,6 +13,7 @@
 #include <cmath>
 #include <csignal>
 #include <ctime>
+#include <string_view>
 #include <thread>
 
 #include "odeum/core/interrupt.hpp"
@@ -25,12 +26,31 @@ constexpr rlim_t most_memory = rlim_t{2} << 30U;
 constexpr double wall_seconds = 8;  // for each of the processor
 constexpr int out_of_time = 124;    // what the watcher exits with
 
+/// What the program is given.
+struct Start {
+  std::vector<std::string> words, variables;
+  std::vector<char*> arguments, environment;
+  std::string log;
+
+  // Its temporary files are in the folder of the log, with which they go when it is ended.
+  Start(const std::vector<std::string>& command, const std::filesystem::path& log_file)
+      : words(command), log(log_file.string()) {
+    for (char** each = ::environ; each && *each; ++each)
+      if (!std::string_view(*each).starts_with("TMPDIR=")) variables.emplace_back(*each);
+    variables.push_back("TMPDIR=" + log_file.parent_path().string());
+    for (std::string& word : words) arguments.push_back(word.data());
+    for (std::string& variable : variables) environment.push_back(variable.data());
+    arguments.push_back(nullptr);
+    environment.push_back(nullptr);
+  }
+};
+
 /// Becomes the program in the new process, with its output in the log.
-[[noreturn]] void become(char* const* arguments, const char* log, double seconds) {
+[[noreturn]] void become(const Start& start, double seconds) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  const int file = ::open(log, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  const int file = ::open(start.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   const rlimit memory{most_memory, most_memory};
   const auto whole = static_cast<rlim_t>(std::ceil(seconds));
@@ -39,13 +59,13 @@ constexpr int out_of_time = 124;    // what the watcher exits with
       ::dup2(file, 2) < 0 || ::setrlimit(RLIMIT_AS, &memory) != 0 ||
       ::setrlimit(RLIMIT_CPU, &processor) != 0)
     ::_exit(127);
-  ::execv(arguments[0], arguments);
+  ::execve(start.arguments[0], start.arguments.data(), start.environment.data());
   ::_exit(127);
 }
 
 /// In a process between this and the program, the head of a group: ends the group, itself among
 /// it, once its parent has ended or the time is over. Only what is safe after fork is called.
-[[noreturn]] void watch(pid_t parent, char* const* arguments, const char* log, double seconds) {
+[[noreturn]] void watch(pid_t parent, const Start& start, double seconds) {
   ::setpgid(0, 0);
   sigset_t awaited;
   sigemptyset(&awaited);
@@ -58,7 +78,7 @@ constexpr int out_of_time = 124;    // what the watcher exits with
   if (::getppid() != parent) ::_exit(127);
   const pid_t program = ::fork();
   if (program < 0) ::_exit(127);
-  if (program == 0) become(arguments, log, seconds);
+  if (program == 0) become(start, seconds);
   timespec left{};
   const double wall = wall_seconds * seconds;
   left.tv_sec = static_cast<time_t>(wall);
@@ -79,18 +99,15 @@ constexpr int out_of_time = 124;    // what the watcher exits with
 
 }  // namespace
 
-double compiler_seconds() { return seconds_of_environment("ODEUM_COMPILER_SECONDS", 60); }
+double compiler_seconds() { return number_of_environment("ODEUM_COMPILER_SECONDS", 60); }
 
 std::string run_limited(const std::vector<std::string>& command, const std::filesystem::path& log,
                         double seconds) {
-  std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  const std::string log_name = log.string();
+  const Start start(command, std::filesystem::absolute(log));
   const pid_t self = ::getpid();
   const pid_t watcher = ::fork();
   if (watcher < 0) return "failed";
-  if (watcher == 0) watch(self, arguments.data(), log_name.c_str(), seconds);
+  if (watcher == 0) watch(self, start, seconds);
   ::setpgid(watcher, watcher);  // as the watcher itself does: whoever comes first
   int status = 0;
   while (true) {
