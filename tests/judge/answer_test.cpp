@@ -144,10 +144,12 @@ TEST(Answer, IsWrongBeyondWhatIsExplainedAndNeverBelow) {
   // 100 tolerances at least: 2e-4 at the first stop and 5e-3 at the second.
   EXPECT_EQ(judged(1.9e-4, 4.9e-3, 10).answer, Answer::explained);
   EXPECT_EQ(judged(1.9e-4, 4.9e-3, 10).reason, "");
-  EXPECT_EQ(judged(2.1e-4, 4.9e-3, 10).answer, Answer::wrong) << "an early stop counts";
-  EXPECT_EQ(judged(1.9e-4, 5.1e-3, 10).answer, Answer::wrong);
+  EXPECT_EQ(judged(2.3e-4, 4.9e-3, 10).answer, Answer::wrong) << "an early stop counts";
+  EXPECT_EQ(judged(1.9e-4, 5.6e-3, 10).answer, Answer::wrong);
+  EXPECT_EQ(judged(1.9e-4, 5.4e-3, 10).answer, Answer::undetermined) << "the bound is an estimate";
+  EXPECT_NE(judged(1.9e-4, 5.4e-3, 10).reason.find("within 10 % of"), std::string::npos);
   EXPECT_EQ(judged(1.9e-4, 5.1e-3, 200).answer, Answer::explained) << "by the number of steps";
-  EXPECT_NE(judged(1.9e-4, 5.1e-3, 10).reason.find("explain 0.005"), std::string::npos);
+  EXPECT_NE(judged(1.9e-4, 5.6e-3, 10).reason.find("explain 0.005"), std::string::npos);
   const auto useless = judged(1e-9, 0.5, 20'000);
   EXPECT_EQ(useless.answer, Answer::explained);
   EXPECT_NE(useless.reason.find("size of the solution"), std::string::npos);

@@ -268,6 +268,10 @@ TEST(Manifest, SaysWithWhatAndWhatWasSkipped) {
   EXPECT_EQ(m["options"]["quick"], false);
   EXPECT_EQ(m["seconds"], 123.4);
   EXPECT_EQ(m["more"], 5);
+  EXPECT_FALSE(m["words"].empty());
+  EXPECT_EQ(m["folder"], std::filesystem::current_path().string());
+  EXPECT_NE(m["loaded"].dump().find("/libm"), std::string::npos);
+  EXPECT_EQ(m["loaded"][0]["sum"].get<std::string>().size(), 16U);
   ASSERT_EQ(m["libraries"].size(), 4U);
   EXPECT_EQ(m["libraries"][0]["version"], "6.4.1");
   EXPECT_EQ(m["libraries"][3]["version"], nullptr);

@@ -15,7 +15,8 @@ namespace odeum::judge {
 /// - `wrong`: it ended `ok`, and its error is larger, or of the size of the solution, see
 ///   explained_error; at a fixed step: ten times the solution's
 ///   size; in either case: it has a state past the end of the solution.
-/// - `undetermined`: truth or amplification are not known.
+/// - `undetermined`: truth or amplification are not known, or the error is above the explained one
+///   by less than that is known to.
 /// - `none`: the run did not end `ok`, and so claims no answer.
 /// - `not_applicable`: a fixed step, which promises no error; or no run.
 enum class Answer { explained, wrong, undetermined, none, not_applicable };

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/report/facts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "odeum/cases/linear_form.hpp"
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/cases/text_case.hpp"
+#include "odeum/core/checksum.hpp"
+#include "odeum/core/machine.hpp"
 #include "odeum/core/parallel.hpp"
+#include "odeum/input/text_file.hpp"
 #include "odeum/report/text.hpp"
 
 namespace odeum::report {
@@ -105,6 +112,25 @@ ordered_json json_of(const std::vector<LibraryInfo>& libraries) {
     list.push_back(entry);
   }
   return list;
+}
+
+ordered_json facts_of_process() {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  ordered_json facts{{"words", ordered_json::array()},
+                     {"folder", plain(fs::current_path(none).string())},
+                     {"loaded", ordered_json::array()}};
+  std::ifstream words("/proc/self/cmdline", std::ios::binary);
+  for (std::string word; std::getline(words, word, '\0');) facts["words"].push_back(plain(word));
+  for (const std::string& library : loaded_libraries()) {
+    const fs::path file = fs::canonical(library, none);
+    const auto content = none ? std::nullopt : text_of_file(file);
+    if (!content) continue;  // what the kernel adds
+    facts["loaded"].push_back({{"file", plain(file.string())},
+                               {"bytes", content->size()},
+                               {"sum", fmt::format("{:016x}", checksum(*content))}});
+  }
+  return facts;
 }
 
 }  // namespace odeum::report

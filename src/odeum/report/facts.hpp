@@ -43,4 +43,9 @@ nlohmann::ordered_json json_of(const CaseFacts& c);
 nlohmann::ordered_json json_of(const SolverInfo& solver);
 nlohmann::ordered_json json_of(const std::vector<LibraryInfo>& libraries);
 
+/// What repeats a run, for manifest.json: `words` and `folder` of the command that this process
+/// executes, and `loaded`, the files of its shared libraries, whose names have their versions, each
+/// with its bytes and their sum.
+nlohmann::ordered_json facts_of_process();
+
 }  // namespace odeum::report

@@ -14,6 +14,7 @@
 #include "odeum/core/parallel.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/report/columns.hpp"
+#include "odeum/report/facts.hpp"
 #include "odeum/report/shared_files.hpp"
 #include "odeum/report/text.hpp"
 #include "odeum/solvers/loaded.hpp"
@@ -235,6 +236,7 @@ std::string Report::manifest_text(const RunFacts& run) const {
       {"build", {{"compiler", build::compiler}, {"type", build::type}, {"flags", build::flags}}},
       {"cpu", cpu_model()},
       {"libraries", report::json_of(facts_.libraries)}};
+  manifest.update(facts_of_process());
   for (const auto& [key, value] : manifest_) manifest[key] = ordered_json::parse(value);
   // Pairs that were not run, by the reason that they gave; rows by how their run ended.
   ordered_json reasons = ordered_json::array();
