@@ -48,10 +48,7 @@ Case make_case(const Values& values) {
 /// A solution that ends at a pole, t = 1, within the interval: a solver that reports success at the
 /// end has stepped over it, to the other branch of 1 / (1 - t).
 std::vector<Statement> blow_up() {
-  return {{.id = "blow_up",
-           .title = "Solution that ends at a pole",
-           .tags = {"nonlinear", "autonomous", "ends"},
-           .make = [] {
+  return {{.id = "blow_up", .title = "Solution that ends at a pole", .tags = {"ends"}, .make = [] {
              return with_parameters({{"y0", 1, "at the start"}}, make_case);
            }}};
 }

@@ -80,6 +80,7 @@ bool scheme_of(std::complex<double> lambda, bool complex, const std::string& sol
 
 Case describe(const char* equation, std::complex<double> lambda, bool complex) {
   Case c;
+  c.nature.linear = c.nature.smooth = true;
   c.equation = equation;
   c.source = "Dahlquist, BIT 3 (1963) 27-43";
   c.stops = {4};
@@ -143,10 +144,7 @@ Probe lambda_probe() {
 }
 
 Statement state(const char* id, const char* title, std::function<Case()> make) {
-  return {.id = id,
-          .title = title,
-          .tags = {"linear", "autonomous", "smooth"},
-          .make = std::move(make)};
+  return {.id = id, .title = title, .tags = {}, .make = std::move(make)};
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ std::vector<double> at_nodes(const fem::SemiDiscrete& system,
 
 Case common(const char* mass, const System& system) {
   Case c;
+  c.nature.linear = c.nature.stiff = true;
   c.source = fmt::format(
       "linear elements on 2 x {0} x {0} right triangles of the unit square, {1} mass, u = 0 on the "
       "boundary (Thomee, Galerkin Finite Element Methods for Parabolic Problems, chapters 1 and "
@@ -128,14 +129,11 @@ double peak(fem::Point p) {
 double corner(fem::Point p) { return p.x < 0.5 && p.y < 0.5 ? 1. : 0.; }
 
 Statement state(const char* id, const char* title, bool parabolic, std::function<Case()> make) {
-  Statement statement{.id = id,
-                      .title = title,
-                      .tags = {"linear", "autonomous", "finite_elements"},
-                      .make = std::move(make)};
+  Statement statement{
+      .id = id, .title = title, .tags = {"finite_elements"}, .make = std::move(make)};
   for (const char* tag : {"second_order", "separable", "hyperbolic", "oscillatory"})
     if (!parabolic) statement.tags.emplace_back(tag);
   if (parabolic) statement.tags.emplace_back("parabolic");
-  statement.tags.emplace_back("stiff");
   return statement;
 }
 

@@ -78,16 +78,16 @@ Case make_case(const std::string& id, const Values& values) {
 }
 
 Statement state(const std::string& id, const char* title, double alpha, double beta) {
-  return {
-      .id = id,
-      .title = title,
-      .tags = {"nonlinear", "autonomous", "second_order", "separable", "mechanical", "oscillatory"},
-      .make = [=] {
-        return with_tabled_parameters({{"alpha", alpha, "quadratic part of the springs"},
-                                       {"beta", beta, "cubic part of the springs"},
-                                       {"amplitude", 1, "of the first mode at the start"}},
-                                      [=](const Values& values) { return make_case(id, values); });
-      }};
+  return {.id = id,
+          .title = title,
+          .tags = {"second_order", "separable", "mechanical", "oscillatory"},
+          .make = [=] {
+            return with_tabled_parameters(
+                {{"alpha", alpha, "quadratic part of the springs"},
+                 {"beta", beta, "cubic part of the springs"},
+                 {"amplitude", 1, "of the first mode at the start"}},
+                [=](const Values& values) { return make_case(id, values); });
+          }};
 }
 
 }  // namespace

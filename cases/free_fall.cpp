@@ -56,6 +56,7 @@ Case make_case(const Values& values) {
   const FreeFall fall{.g = values[0]};
   const double x0 = values[1], v0 = values[2];
   Case c;
+  c.nature.linear = c.nature.smooth = true;
   c.equation = fmt::format("x' = v, v' = {}, x(0) = {}, v(0) = {}", fall.g, x0, v0);
   c.source = "Galilei 1638";
   c.y0 = {x0, v0};
@@ -88,7 +89,7 @@ Case make_case(const Values& values) {
 std::vector<Statement> free_fall() {
   return {{.id = "free_fall",
            .title = "Free fall",
-           .tags = {"linear", "autonomous", "second_order", "separable", "mechanical", "smooth"},
+           .tags = {"second_order", "separable", "mechanical"},
            .make = [] {
              return with_parameters({{"g", -9.81, "acceleration, m/s^2"},
                                      {"x0", 10, "position at the start, m"},

@@ -47,6 +47,7 @@ struct MedAkzoCells {
 
 Case make_medakzo() {
   Case c;
+  c.nature.stiff = true;
   c.equation =
       "u_j' = alpha_j (u_{j+1} - u_{j-1}) / (2 d) + beta_j (u_{j-1} - 2 u_j + u_{j+1}) / d^2 - 100 "
       "u_j v_j, v_j' = -100 u_j v_j, j = 1..200, d = 1/200, alpha_j = (j d - 1)^3 / 8, beta_j = "
@@ -72,7 +73,7 @@ Case make_medakzo() {
 std::vector<Statement> medakzo() {
   return {{.id = "medakzo",
            .title = "Medical Akzo Nobel problem",
-           .tags = {"nonlinear", "autonomous", "stiff", "diffusion"},
+           .tags = {"diffusion"},
            .make = make_medakzo}};
 }
 

@@ -20,6 +20,7 @@ namespace {
 template <class Numbers>
 Case describe(const Numbers& n, double y0, double v0) {
   Case c;
+  c.nature.linear = true;
   c.source = "harmonic oscillator with viscous damping, any mechanics text";
   c.y0 = {y0, v0};
   c.truth.source = "closed form";
@@ -98,6 +99,7 @@ Case make_mass_on_spring(const Variant& variant, const Values& values) {
   if (values != Values{1, variant.d, 5, variant.rest, variant.y0, 0})
     c.equation = fmt::format("{} y'' + {} y' + {} (y - {}) = 0, y(0) = {}, y'(0) = {}", n.m, n.d,
                              n.k, n.rest, y0, v0);
+  c.nature.smooth = true;
   if (!(n.d > 0)) c.tags.emplace_back("separable");
   c.components = {"y", "u"};
   c.stops = {5, 10};
@@ -136,7 +138,7 @@ Probe probe() {
                     });
 }
 
-const std::vector<std::string> common_tags{"linear", "autonomous", "second_order", "mechanical"};
+const std::vector<std::string> common_tags{"second_order", "mechanical"};
 
 Statement state(const UnitVariant& variant) {
   return {.id = variant.id, .title = variant.title, .tags = common_tags, .make = [variant] {
@@ -146,17 +148,15 @@ Statement state(const UnitVariant& variant) {
 
 /// With a plane for the stability study where `probe` is given.
 Statement state(const Variant& variant, const std::string& plane = {}, Probe (*probe)() = nullptr) {
-  Statement statement{.id = std::string("damped_oscillator_") + variant.id,
-                      .title = variant.title,
-                      .tags = common_tags,
-                      .make = [=] {
-                        Case c = make_variant(variant);
-                        c.plane = plane;
-                        if (probe) c.probe = probe;
-                        return c;
-                      }};
-  statement.tags.emplace_back("smooth");
-  return statement;
+  return {.id = std::string("damped_oscillator_") + variant.id,
+          .title = variant.title,
+          .tags = common_tags,
+          .make = [=] {
+            Case c = make_variant(variant);
+            c.plane = plane;
+            if (probe) c.probe = probe;
+            return c;
+          }};
 }
 
 }  // namespace

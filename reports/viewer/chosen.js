@@ -11,7 +11,8 @@
     step: ['step', (run) => run.step],
     evaluations: ['evaluations of f', (run) => run.rhs_evaluations],
     time: ['time of a solve', (run) => run.wall_ns_min],
-    steps: ['steps', (run) => run.steps], tolerance: ['tolerance', (run) => run.tolerance],
+    steps: ['steps', (run) => run.steps],
+    tolerance: ['tolerance', (run) => (run.mode === 'adaptive' ? run.setting : NaN)],
   };
   const vertical = {
     error: ['largest error, absolute', (run) => run.error_max],
@@ -32,7 +33,6 @@
         add(`${idOf(run)}:${mode}`, {
           ...run, mode, timed: true, error_max: run.error,
           step: mode === 'fixed' ? run.setting : NaN,
-          tolerance: mode === 'adaptive' ? run.setting : NaN,
         });
       }
     else for (const run of data.runs) add(`${idOf(run)}:${run.mode}`, run);

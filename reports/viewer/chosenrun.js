@@ -8,7 +8,7 @@
   } = odeum;
 
   const nameOfRun = (run) =>
-    `${idOf(run)}:${run.mode}:${number(run.mode === 'fixed' ? run.step : run.tolerance, 6)}`;
+    `${idOf(run)}:${run.mode}:${number(run.setting, 6)}`;
 
   const showRun = (panel, run, curve) => {
     const lines = [
@@ -16,7 +16,7 @@
       ['problem', `${facts.caseOf.get(run.case).title} (${run.case})`],
       [
         'setting',
-        run.mode === 'fixed' ? `step ${number(run.step, 6)}` : `tolerance ${number(run.tolerance)}`,
+        run.mode === 'fixed' ? `step ${number(run.step, 6)}` : `tolerance ${number(run.setting)}`,
       ],
       ['status', statusText(run, facts.caseOf.get(run.case).scale)],
       [

@@ -23,9 +23,8 @@
   const tableRows = (curves) =>
     curves.flatMap((curve) =>
       curve.points.map((p) => [
-        p.run.case, p.run.library, p.run.solver, p.run.mode,
-        p.run.mode === 'fixed' ? p.run.step : p.run.tolerance, p.x, p.y, p.run.rhs_evaluations,
-        p.run.steps, p.run.status, detailOf(p.run),
+        p.run.case, p.run.library, p.run.solver, p.run.mode, p.run.setting, p.x, p.y,
+        p.run.rhs_evaluations, p.run.steps, p.run.status, detailOf(p.run),
       ]),
     );
   const numbersBehind = (curves, choice) =>

@@ -101,6 +101,11 @@
     facts.solverOf = new Map(
       facts.solvers.map((solver) => [`${solver.library}/${solver.method}`, solver]),
     );
+    // The families of most solvers have shapes of their own; the others share the last.
+    const counts = d3.rollups(facts.solvers, (list) => list.length, (solver) => solver.family);
+    facts.shapeOfFamily = new Map(
+      d3.sort(counts, ([, a], [, b]) => b - a).map(([family], i) => [family, Math.min(i, 7)]),
+    );
     facts.caseOf = new Map(facts.cases.map((c) => [c.id, c]));
     facts.tableOf = new Map(facts.tables.map((table) => [table.name, table]));
   };
@@ -172,14 +177,7 @@
   const styleNumbers = [0, 1, 2, 3, 4, 6, 7, 5];
   const colourOf = (library) =>
     `var(--s${styleNumbers[Math.max(0, facts.libraryNames.indexOf(library)) % 8]})`;
-  const families = [
-    'explicit_rk', 'implicit_rk', 'symplectic', 'multistep', 'linearly_implicit', 'extrapolation',
-    'physics_engine', 'stabilised_rk',
-  ];
-  const shapeOf = (solver) => {
-    const i = families.indexOf(solver ? solver.family : '');
-    return i < 0 ? 7 : i;
-  };
+  const shapeOf = (solver) => facts.shapeOfFamily.get(solver ? solver.family : '') ?? 7;
 
   Object.assign(odeum, {
     receive, loadScript, load, Rows, idOf, isClosedForm, frontOf, facts, takeFacts, tablesRead,

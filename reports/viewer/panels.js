@@ -87,7 +87,7 @@
     const tell = (chart) => (run, curve) =>
       [
         curve.name,
-        run.mode === 'fixed' ? `step ${number(run.step)}` : `tolerance ${number(run.tolerance)}`,
+        run.mode === 'fixed' ? `step ${number(run.step)}` : `tolerance ${number(run.setting)}`,
         `${y.label}: ${number(run[y.column])}`,
         run.rhs_evaluations ? plural(run.rhs_evaluations, 'evaluation') : '',
       ].filter(Boolean);

@@ -255,7 +255,9 @@
           ...[run.steps, run.rejected_steps, run.rhs_evaluations].map((value) => ({
             text: value.toLocaleString('en'), value,
           })),
-          { text: number(run.result, 4), value: run.result },
+          ((end) => ({ text: number(end, 4), value: end }))(
+            about.kind === 'scene' ? run.energy_change : run.error,
+          ),
         ],
       })),
     );

@@ -34,7 +34,7 @@
     const key =
       run.mode === 'fixed'
         ? `fixed:${Math.round(length / run.step)}`
-        : `adaptive:${Math.round(-1e6 * Math.log10(run.tolerance))}`;
+        : `adaptive:${Math.round(-1e6 * Math.log10(run.setting))}`;
     const found = set.runs[`${idOf(run)}:${key}`];
     if (!found) return null;
     const [parts, curve, errors, energies] = found, apart = Math.ceil(parts / set.outputs);

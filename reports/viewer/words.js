@@ -7,8 +7,8 @@
   const sameError = (a, b) => Math.abs(Math.log10(a / b)) < 0.01;
   const settingText = (row) =>
     row.setting_kind === 'tol' || row.mode === 'adaptive'
-      ? `tolerance ${number(row.setting ?? row.tolerance)}`
-      : `step ${number(row.setting ?? row.step)}`;
+      ? `tolerance ${number(row.setting)}`
+      : `step ${number(row.setting)}`;
 
   // What a status means to a reader.
   const endings = {
@@ -24,7 +24,7 @@
     const text = `${run.status}${run.detail ? `: ${run.detail}` : ''}`;
     if (run.status !== 'ok') return text;
     if (run.answer === 'wrong') return `${text}, but a wrong answer: ${run.answer_reason}`;
-    return (run.error_max ?? run.error ?? run.result) > size
+    return (run.error_max ?? run.error) > size
       ? `${text}, but diverged: its error exceeds the solution's size, ${number(size)}`
       : text;
   };
@@ -86,7 +86,7 @@
       setting =
         kind === 'step' || kind === 'fixed'
           ? `--steps ${steps}`
-          : `--tol ${(timed ? run.setting : run.tolerance).toExponential()}`,
+          : `--tol ${run.setting.toExponential()}`,
       options = run.options ? ` --option ${run.options}` : '';
     return (
       `odeum run ${c.words} --solver ${idOf(run)} ${setting}${options} ` +
@@ -208,10 +208,10 @@
       return `does not fit: ${ended[0].detail}`;
     const setting = (run) =>
       run.mode === 'fixed' || run.setting_kind === 'step'
-        ? `h = ${number(run.step ?? run.setting)}`
-        : `tolerance ${number(run.tolerance ?? run.setting)}`;
+        ? `h = ${number(run.setting)}`
+        : `tolerance ${number(run.setting)}`;
     const size = (run) =>
-      run.mode === 'fixed' ? run.step : run.setting_kind === 'step' ? run.setting : NaN;
+      run.mode === 'fixed' || run.setting_kind === 'step' ? run.setting : NaN;
     const texts = [];
     for (const status of [...new Set(ended.map((run) => run.status))].filter(
       (s) => s !== 'not_applicable',

@@ -29,7 +29,7 @@ const commandsOf = (table, rows) => browser.run(`(async () => {
   const wanted = ${JSON.stringify(rows)}, found = [];
   for (const row of wanted) {
     const all = (await rowsOf('${table}', row.case)).objects();
-    const run = all.find((each) => ['library', 'solver', 'setting_kind', 'options', 'mode'].every((name) => row[name] === undefined || each[name] === row[name]) && ['setting', 'steps', 'tolerance'].every((name) => row[name] === undefined || row[name] === 'nan' || near(each[name], Number(row[name]))));
+    const run = all.find((each) => ['library', 'solver', 'setting_kind', 'options', 'mode'].every((name) => row[name] === undefined || each[name] === row[name]) && ['setting', 'steps'].every((name) => row[name] === undefined || row[name] === 'nan' || near(each[name], Number(row[name]))));
     found.push(run ? commandOf(facts.caseOf.get(row.case), run) : '');
   }
   return found;
@@ -72,7 +72,7 @@ for (const { case: name } of facts.questions.filter((q) => timed.some((row) => r
     if (command && !commands.includes(command)) complain(`${name} at ${error}: ${command} is not a run of fastest.csv`);
   }
 const every = Math.max(1, Math.floor(converged.length / mostOrders)), some = converged.filter((_, i) => i % every === 0);
-const orders = await commandsOf('convergence', some.map(only(['case', 'library', 'solver', 'mode', 'steps', 'tolerance'])));
+const orders = await commandsOf('convergence', some.map(only(['case', 'library', 'solver', 'mode', 'steps', 'setting'])));
 some.forEach((row, i) => check(orders[i], row, { error_max: 'error_max', error_rms: 'error_rms', steps: 'steps', ...counts }));
 await browser.close();
 console.log(`${printed} commands of the first screen, of ${quick} runs of fastest.csv, and ${checked.size - quick} of the study of orders: ${wrong || 'none'} differ`);

@@ -44,7 +44,7 @@ std::vector<Pair> pairs_of(const Way& way) {
   for (const Case& c : all_cases()) {
     // Step control does not depend on the number of unknowns, so that small cases suffice. On a
     // cloth low orders reach too few tolerances within the budget.
-    if (!c.has_tag("smooth") || (way.mode == Mode::adaptive && c.has_tag("cloth"))) continue;
+    if (!c.nature.smooth || (way.mode == Mode::adaptive && c.settings.orders_in_full)) continue;
     const Entrant* const entrant = c.entrants.find("odeum/" + way.method);
     if (entrant && entrant->unfit.empty())
       pairs.push_back({c.id, way.method, way.mode, entrant->info.order});

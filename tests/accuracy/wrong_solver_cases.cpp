@@ -13,7 +13,7 @@ Case make_case(const std::string& id, std::shared_ptr<const P> problem, double t
                std::vector<double> y0, std::function<void(double t, double* y)> truth) {
   Case c;
   c.id = id;
-  c.tags = {"smooth"};
+  c.nature.smooth = true;
   c.t0 = t0;
   c.y0 = std::move(y0);
   for (int k = 1; k <= 4; ++k) c.stops.push_back(t0 + horizon * k / 4);

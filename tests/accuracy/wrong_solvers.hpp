@@ -27,7 +27,9 @@ struct WrongSolver {
   Run wrong_run = {}, right_run = {};  ///< instead, to a tolerance
 
   bool adaptive() const { return static_cast<bool>(wrong_run); }
-  bool fits(const Case& c) const { return !second_order || c.has_tag("second_order"); }
+  bool fits(const Case& c) const {
+    return !second_order || std::ranges::count(c.tags, "second_order") > 0;
+  }
 };
 
 /// RK4 with one coefficient off, with and without its row sum, and other faults of explicit steps.

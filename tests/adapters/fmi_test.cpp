@@ -55,7 +55,7 @@ TEST_P(Fmus, ALinearModelHasTheClosedFormForTruthAndIsSolved) {
   EXPECT_EQ(c.components, (std::vector<std::string>{"x", "v"}));
   EXPECT_EQ(c.stops, (std::vector<double>{2, 4, 6, 8}));
   EXPECT_EQ(c.y0, (std::vector<double>{1, 0}));
-  EXPECT_TRUE(c.has_tag("autonomous"));
+  EXPECT_TRUE(c.nature.autonomous);
   EXPECT_LT(c.truth.floor, 1e-11);
   double y[2];
   for (const double t : c.stops) {
@@ -90,7 +90,7 @@ TEST_P(Fmus, TheJacobianIsThatOfDirectionalDerivatives) {
 
 TEST_P(Fmus, AModelThatDependsOnTimeHasItsTimeDerivative) {
   const Case c = made({{"a", "3"}});
-  EXPECT_TRUE(c.has_tag("non_autonomous"));
+  EXPECT_FALSE(c.nature.autonomous);
   ASSERT_TRUE(c.problem.view.time_derivative);
   for (const double t : {0.0, 1.0, 8.0}) {
     double d[2];

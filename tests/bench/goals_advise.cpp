@@ -171,7 +171,7 @@ Regret regret_of(const Case& c, double error) {
   regret.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wishes.start).count();
   regret.states = c.y0.size();
-  regret.scene = c.has_tag("scene");
+  regret.scene = c.measures_particles;
   regret.stiff = is_stiff(c);
   const Answers answers = search_all(
       c, error, advice.failure.empty() ? advice.candidates[advice.winner].found->ns : infinity);

@@ -83,7 +83,7 @@ void add_against_cvode(std::vector<Row>& rows, const study::PrecisionResult& res
   const auto fastest_of = [&](const char* library) {
     return std::find_if(result.fastest.begin(), result.fastest.end(),
                         [&](const study::FastestRow& row) {
-                          return row.library == library && row.error == line.error;
+                          return row.library == library && row.compared == line.error;
                         });
   };
   const auto cvode = fastest_of("cvode"), own = fastest_of("odeum");

@@ -156,7 +156,7 @@ TEST(Agreement, NoLibraryFailsACaseUnexplained) {
     for (const bool implicit : {true, false})
       for (const Entrant& entrant : c.entrants)
         if (entrant.unfit.empty() && entrant.info.library != "odeum" &&
-            implicit == (c.has_tag("stiff") && entrant.info.family != "explicit_rk"))
+            implicit == (c.nature.stiff && entrant.info.family != "explicit_rk"))
           order.push_back(&entrant);
     for (const double tolerance : {1e-5, 1e-8})
       for (const Entrant* entrant : order) {

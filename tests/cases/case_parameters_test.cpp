@@ -43,7 +43,7 @@ TEST(CaseParameters, TheTruthFollows) {
       for (const Parameter& parameter : c.parameters) values.push_back(parameter.value);
       values[p] = values[p] == 0 ? 0.1 : values[p] * 1.1;
       const Case other = c.with_values(values);
-      const double end = c.t0 + (c.stops.front() - c.t0) / (c.has_tag("stiff") ? 1e3 : 2);
+      const double end = c.t0 + (c.stops.front() - c.t0) / (c.nature.stiff ? 1e3 : 2);
       const Outcome outcome =
           find_entrant(other, "odeum/verner98").solve(adaptive_request(1e-11, {end}));
       ASSERT_EQ(outcome.status, Status::ok) << c.id << " " << c.parameters[p].name;

@@ -229,7 +229,7 @@ TEST(EveryCase, InvariantsAreKeptByTheReference) {
     };
     for (const Invariant& invariant : c.invariants) holds(invariant.name, invariant.value);
     // Energy decreases with damping or a cloth's friction.
-    if (c.energy && c.has_tag("separable")) holds("energy", c.energy);
+    if (c.energy && std::ranges::count(c.tags, "separable") > 0) holds("energy", c.energy);
   });
 }
 

@@ -52,8 +52,8 @@ TEST(Reproduce, ARunOfTheStudyOfOrdersToo) {
   ASSERT_GE(result.rows.size(), 4U);
   for (const study::ConvergenceRow& row : {result.rows[0], result.rows[3]}) {
     const nlohmann::json run = run_of(fmt::format(
-        "lotka_volterra --solver odeum/dormand_prince54 --tol {} --stops orders", row.tolerance));
-    EXPECT_EQ(run["error_max"], row.error_max);
+        "lotka_volterra --solver odeum/dormand_prince54 --tol {} --stops orders", row.setting));
+    EXPECT_EQ(run["error_max"], row.error);
     EXPECT_EQ(run["error_rms"], row.error_rms);
     EXPECT_EQ(run["rhs_evaluations"], row.counters.rhs_evaluations);
   }
@@ -74,7 +74,7 @@ TEST(Reproduce, ARunOfASceneToo) {
     ++made[mode];
     const std::string setting = mode == "fixed"
                                     ? fmt::format("--steps {}", row["steps"].get<int>())
-                                    : fmt::format("--tol {}", row["tolerance"].get<double>());
+                                    : fmt::format("--tol {}", row["setting"].get<double>());
     const nlohmann::json run =
         run_of(fmt::format("bouncing_triangle --solver odeum/{} {} --stops orders",
                            row["solver"].get<std::string>(), setting));

@@ -7,6 +7,7 @@
 #include "odeum/input/text_file.hpp"
 #include "odeum/print/print_text.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
+#include "odeum/studies/convergence/settings.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::print_test {
@@ -37,6 +38,7 @@ TEST(CaseTexts, MistakesHaveTheirPlace) {
   expect_fault("cases: {d: {reference: kepler_e06}}\n", "5:24: ", "d: floor");
   expect_fault("cases: {d: {referense: r}}\n", "5:13: ", "did you mean reference?");
   expect_fault("cases: {d: {reference: r, floor: 1}}\n", "5:24: ", "no reference r");
+  expect_fault("case: {nature: soft}\n", "5:16: ", "expected smooth, stiff or chaotic");
   expect_fault("case: {offer: jacobian}\n", "5:8: ", "did you mean offers?");
   expect_fault("case: {offers: jacobi}\n", "5:16: ", "got jacobi, expected jacobian");
   expect_fault("cases: {d: {parameters: [z]}}\n", "5:25: ", "no parameter; got z");
@@ -71,6 +73,25 @@ TEST(PrintedTexts, ParametersAreMembersAndWhatFollowsFromThemToo) {
   EXPECT_NE(printed.unit.find("problem{.k = values[0]};"), std::string::npos) << printed.unit;
 }
 
+// Tags are words for people: these decided where studies stop, what they may spend and what they
+// claim of a user's problem.
+TEST(CaseTexts, TagsDecideNothing) {
+  const std::string text = "states: {x: 1}\nequations: {x: -x*x}\ntime: {end: 4}\n";
+  const auto case_with = [&](const std::string& tags) {
+    return case_of(cases::text_statements(
+        "f.yaml", text + "case: {stops: [1, 4], tags: [" + tags + "]}\n", "f")[0]);
+  };
+  const Case tagged = case_with(
+      "celestial, cloth, kinked, kinked_4, late_encounters, linear, non_autonomous, stiff, "
+      "chaotic");
+  EXPECT_EQ(tags_of(tagged), (std::vector<std::string>{"nonlinear", "autonomous", "smooth",
+                                                       "celestial", "cloth", "late_encounters"}));
+  EXPECT_EQ(study::convergence_stops(tagged), tagged.stops);
+  EXPECT_EQ(tagged.nature.highest_order, infinity);
+  EXPECT_FALSE(tagged.nature.linear || tagged.nature.stiff || tagged.nature.chaotic);
+  EXPECT_EQ(tagged.settings.evaluation_budget, case_with("other").settings.evaluation_budget);
+}
+
 // Every key, in a text of a user: what it says is in the case.
 TEST(CaseTexts, OfAUserSayAllThatBuiltInOnesDo) {
   const std::string problem =
@@ -81,6 +102,7 @@ TEST(CaseTexts, OfAUserSayAllThatBuiltInOnesDo) {
       "case:\n  source: a book\n  tags: [short]\n  meanings: {k: a rate}\n  positive: k\n"
       "  not_negative: [m]\n  offers: [jacobian]\n"
       "cases:\n  one:\n    title: One\n    equation: x' = -k x\n    tags: special\n"
+      "    nature: [smooth, stiff]\n"
       "    set: {m: 2}\n    stops: [0.5, 1]\n    thresholds: [1e-3, k]\n    invariants: sum\n"
       "    steps_multiple: 2\n    coarsest_steps: 8\n    finest_steps: 64\n"
       "    timed_stops: 2\n    timed_floor: 1e-12\n    evaluation_budget: 1000\n"
@@ -92,7 +114,8 @@ TEST(CaseTexts, OfAUserSayAllThatBuiltInOnesDo) {
   EXPECT_EQ(c.title, "One");
   EXPECT_EQ(c.equation, "x' = -k x; k = 2");
   EXPECT_EQ(c.source, "a book");
-  EXPECT_TRUE(c.has_tag("short") && c.has_tag("special") && c.has_tag("linear"));
+  EXPECT_EQ(tags_of(c), (std::vector<std::string>{"linear", "autonomous", "smooth", "stiff",
+                                                  "short", "special"}));
   EXPECT_EQ(c.y0, (std::vector<double>{6, 2}));
   EXPECT_EQ(c.stops, (std::vector<double>{0.5, 1}));
   EXPECT_EQ(c.tolerance.threshold(1), 2);

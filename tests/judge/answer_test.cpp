@@ -214,9 +214,9 @@ TEST(Answer, OfASolverThatIgnoresItsToleranceIsWrong) {
     int judged = 0;
     for (const auto& row : rows_of(c, 1e5)) {
       // A tolerance of more than 0.1 is none.
-      if (row.tolerance > 1e-6 || row.status != "ok") continue;
+      if (row.setting > 1e-6 || row.status != "ok") continue;
       ++judged;
-      EXPECT_EQ(row.judged.answer, Answer::wrong) << id << " at " << row.tolerance;
+      EXPECT_EQ(row.judged.answer, Answer::wrong) << id << " at " << row.setting;
       EXPECT_NE(row.judged.reason, "");
     }
     EXPECT_GE(judged, 2) << id;

@@ -103,7 +103,6 @@ void add_not_applicable(MadeUp& data, const std::string& c, const SolverInfo& so
   row.mode = mode;
   row.status = "not_applicable";
   row.detail = reason;
-  row.step = row.tolerance = row.error_max = row.error_rms = row.energy_error = nan;
   data.convergence.rows.push_back(row);
   study::OrderRow order{c, solver.library, solver.method, mode, solver.order, {}};
   order.fit.verdict = judge::Verdict::not_applicable;
@@ -126,9 +125,9 @@ void add_pair(MadeUp& data, const report::CaseFacts& c, const SolverInfo& solver
     row.status = std::isnan(error) ? "newton_failed" : "ok";
     row.detail = std::isnan(error) ? "newton_failed at t = 0.5" : "";
     row.step = h;
-    row.tolerance = mode == Mode::adaptive ? std::pow(10, -3 - k) : nan;
+    row.setting = mode == Mode::adaptive ? std::pow(10, -3 - k) : row.step;
     row.steps = static_cast<std::uint64_t>(10 / h);
-    row.error_max = error;
+    row.error = error;
     row.error_rms = row.energy_error = error / 3;
     row.counters.steps = row.steps;
     row.counters.rhs_evaluations =

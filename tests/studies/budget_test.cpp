@@ -15,7 +15,7 @@ namespace {
 
 study::ConvergenceResult within(std::uint64_t evaluations, Mode mode, const char* solver) {
   Case c = find_case("robertson_40");
-  c.tags = {"smooth"};                             // whose budget is the case's own
+  c.nature.smooth = true;                          // whose budget is the case's own
   c.settings.evaluation_budget = 2 * evaluations;  // of which a quick study has half
   const Entrant entrant = find_entrant(c, solver);
   const study::CaseMeasures measures{

@@ -34,7 +34,7 @@ template <class P>
 Case growth(const P& problem) {
   Case c;
   c.id = "growth";
-  c.tags = {"smooth"};
+  c.nature.smooth = true;
   c.y0 = {0.1};
   c.stops = {2, 4};
   c.settings.steps_multiple = 2;
@@ -102,7 +102,7 @@ TEST(OrderReason, AnOpenOrderToAToleranceGetsTolerancesBetween) {
   EXPECT_EQ(result.orders.front().fit.verdict, judge::Verdict::confirmed)
       << result.orders.front().fit.reason;
   std::vector<double> tolerances;
-  for (const study::ConvergenceRow& row : result.rows) tolerances.push_back(row.tolerance);
+  for (const study::ConvergenceRow& row : result.rows) tolerances.push_back(row.setting);
   EXPECT_TRUE(std::is_sorted(tolerances.rbegin(), tolerances.rend())) << "from loose to tight";
   EXPECT_NE(std::find_if(tolerances.begin(), tolerances.end(),
                          [](double t) { return std::abs(t / 3.2e-4 - 1) < 1e-9; }),

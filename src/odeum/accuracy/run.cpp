@@ -35,8 +35,7 @@ void print_costs(const study::ConvergenceResult& result) {
     for (const double error : errors) {
       std::uint64_t least = 0;
       for (const study::ConvergenceRow& run : result.rows)
-        if (same(run) && run.error_max <= error &&
-            (least == 0 || run.counters.rhs_evaluations < least))
+        if (same(run) && run.error <= error && (least == 0 || run.counters.rhs_evaluations < least))
           least = run.counters.rhs_evaluations;
       table.rows.back().push_back(least == 0 ? "-" : std::to_string(least));
     }

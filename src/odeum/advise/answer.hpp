@@ -32,7 +32,7 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked);
 nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked& asked);
 
 /// The runs of the race: the text of race.csv.
-std::string csv_of(const Advice& advice, const Case& c);
+std::string csv_of(const Advice& advice);
 
 /// Writes the runs of the race (race.csv), the answer (advice.json) and their page; false where
 /// there is no page, see Report::write. Throws FileError.

@@ -8,29 +8,27 @@ namespace odeum::advise {
 namespace {
 
 /// A run of the race, with the times of the bare runs where it was timed: a line of race.csv.
-struct RaceRow : study::WallTimes {
-  std::string library, solver, status, setting_kind;
-  double setting = nan, error = nan;
+struct RaceRow : measure::RunRecord, study::WallTimes {
   double guarded_ns = nan;  ///< less what the guard takes
-  Counters counters;
 
   static constexpr const char* file = "race.csv";
-  ODEUM_COLUMNS(library, solver, status, setting_kind, setting, error, guarded_ns, wall_ns_min,
-                wall_ns_median, repetitions, counters.rhs_evaluations,
-                counters.jacobian_evaluations, counters.steps, counters.rejected_steps)
+  ODEUM_COLUMNS(library, solver, status, column("setting_kind", PhraseColumn{mode, "step", "tol"}),
+                setting, error, guarded_ns, wall_ns_min, wall_ns_median, repetitions,
+                counters.rhs_evaluations, counters.jacobian_evaluations, counters.steps,
+                counters.rejected_steps)
 };
 
 /// The rows of the race: what was timed comes first, the fastest at the head.
-std::vector<RaceRow> rows_of(const Advice& advice, const Case& c) {
+std::vector<RaceRow> rows_of(const Advice& advice) {
   std::vector<RaceRow> rows;
   const auto add = [&](const Candidate& candidate, bool timed) {
     for (const Trial& trial : candidate.trials) {
-      const SolverInfo& info = candidate.entrant->info;
       const bool has_time = timed && candidate.found && trial.fineness == candidate.found->fineness;
-      rows.push_back(
-          {has_time ? candidate.times.columns() : study::WallTimes(), info.library, info.method,
-           to_string(trial.status), setting_kind(candidate.mode), setting_of(trial.request(), c.t0),
-           trial.status == Status::ok ? trial.state_error() : nan, trial.ns, trial.counters()});
+      RaceRow& row = rows.emplace_back(
+          RaceRow{trial.parts.front(), has_time ? candidate.times.columns() : study::WallTimes(),
+                  trial.ns});
+      row.status = to_string(trial.status);
+      row.error = trial.status == Status::ok ? trial.state_error() : nan;
     }
   };
   for (const std::size_t k : advice.timed) add(advice.candidates[k], true);
@@ -40,9 +38,7 @@ std::vector<RaceRow> rows_of(const Advice& advice, const Case& c) {
 
 }  // namespace
 
-std::string csv_of(const Advice& advice, const Case& c) {
-  return record::csv_text(rows_of(advice, c));
-}
+std::string csv_of(const Advice& advice) { return record::csv_text(rows_of(advice)); }
 
 bool write_page(const record::OutputFolder& folder, const Advice& advice, const Case& c,
                 const Asked& asked) {
@@ -51,7 +47,7 @@ bool write_page(const record::OutputFolder& folder, const Advice& advice, const 
   for (const Candidate& candidate : advice.candidates)
     facts.solvers.push_back(candidate.entrant->info);
   report::Report page(std::move(facts), folder);
-  const std::vector<RaceRow> rows = rows_of(advice, c);
+  const std::vector<RaceRow> rows = rows_of(advice);
   record::write_rows(rows, folder);
   page.rows("runs", rows);
   trajectories::RunTexts texts{.title = c.title, .lead = c.id, .facts = {{"Equation", c.equation}}};

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "odeum/advise/clock.hpp"
-#include "odeum/judge/errors.hpp"
+#include "odeum/measure/run_record.hpp"
+#include "odeum/measure/setting_search.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 /// Which solver, at which setting, has an error on a case in the least time, or the least error
@@ -44,26 +45,19 @@ struct Wishes {
 };
 
 /// The run of a trial on one of the cases.
-struct Part {
+struct Part : measure::RunRecord {
   Request request;
-  double error = nan;      ///< the largest at the stops
-  double end_error = nan;  ///< that at the end, where the run has no other stop
-  double energy = nan;     ///< the same of the energy, where it is asked for
+  double end_error = nan;  ///< at the end, where the run has no other stop
   double ns = 0;
-  Counters counters = {};
 };
 
 /// A run that was made, on each case.
-struct Trial {
+/// Its error is the largest at the stops of all cases, or that of the energy in proportion to the
+/// wishes; its time is the processor's under the guard, less what the guard takes, mean of the
+/// cases.
+struct Trial : measure::Tried {
   std::vector<Part> parts;
   const Request& request() const { return parts.front().request; }
-  /// Steps, or 1 / relative tolerance: the larger, the finer.
-  double fineness = 0;
-  Status status = Status::ok;
-  /// The largest at the stops of all cases, or of the energy in proportion to the wishes; NaN where
-  /// a run failed.
-  double error = nan;
-  double ns = 0;  ///< processor time under the guard, less what the guard takes; mean of the cases
 
   /// The counters of the run on the first case.
   const Counters& counters() const { return parts.front().counters; }
@@ -73,7 +67,6 @@ struct Trial {
   double energy_error() const;
   /// The case of the largest error.
   std::size_t worst() const;
-  bool reaches(double asked) const { return status == Status::ok && error <= asked; }
 };
 
 /// Why a candidate is not searched further.

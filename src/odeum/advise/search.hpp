@@ -65,12 +65,14 @@ class Search {
   void take_within(Candidate& candidate, double fineness);
   /// The error at the time, by its last run and its order; NaN where that failed.
   double foreseen_error(const Candidate& candidate) const;
-  double next_within(const Candidate& candidate, double share) const;
   /// A run, after which one that is too slow is dropped.
   void take(Candidate& candidate, double fineness);
   void search(Candidate& candidate, std::size_t most, double decades);
-  double next(const Candidate& candidate, double decades) const;
-  double finer_than(const Trial& misses, const Candidate& candidate, double expected) const;
+  measure::SettingGrid grid_of(const Candidate& candidate) const;
+  /// Ends where the error is known to so many decades.
+  measure::SettingSearch settings_of(const Candidate& candidate, double decades = 0) const;
+  /// The coarsest of its trials that reaches the error; null: none.
+  const Trial* coarsest_of(const Candidate& candidate) const;
   double first(const Candidate& candidate) const;
   double part_of(To to) const;
   double whole_ns(const Candidate& candidate, const Trial& to_first) const;

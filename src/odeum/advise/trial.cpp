@@ -15,7 +15,7 @@ double Trial::state_error() const { return parts[worst()].error; }
 double Trial::energy_error() const {
   double largest = nan;
   for (const Part& part : parts)
-    if (!(part.energy <= largest)) largest = part.energy;
+    if (!(part.energy_error <= largest)) largest = part.energy_error;
   return largest;
 }
 
@@ -106,19 +106,15 @@ double Search::drift_to_horizon(const Stage& stage, const Entrant& entrant,
 Status Search::run_on(const Stage& stage, const Entrant& entrant, Part& part, To to) const {
   const double start = clock_.used();
   const Outcome outcome = entrant.solve(part.request);
-  part.counters = outcome.counters;
+  part.take(*stage.c, entrant.info, part.request, outcome);
   part.ns = std::max(1.0, 1e9 * (clock_.used() - start) -
                               4.0 * static_cast<double>(outcome.counters.rhs_evaluations));
   if (outcome.status != Status::ok) return outcome.status;
-  part.error = 0;
-  if (wishes_.energy > 0) part.energy = 0;
-  for (const judge::StopError& at : stage.judge(to).errors(outcome)) {
-    if (!(at.error_max <= part.error)) part.error = at.error_max;
-    if (!(at.energy_error <= part.energy) && wishes_.energy > 0) part.energy = at.energy_error;
-  }
+  part.take_errors(stage.judge(to).errors(outcome));
   if (wishes_.horizon > 0 && to == To::all && part.error <= wishes_.error &&
-      part.energy <= wishes_.energy)
-    part.energy = std::max(part.energy, drift_to_horizon(stage, entrant, part));
+      part.energy_error <= wishes_.energy)
+    if (const double drift = drift_to_horizon(stage, entrant, part); !(drift <= part.energy_error))
+      part.energy_error = drift;
   return outcome.status;
 }
 
@@ -127,7 +123,7 @@ void Search::take_errors(Trial& trial) const {
   trial.error = 0;
   for (const Part& part : trial.parts) {
     if (!(part.error <= trial.error)) trial.error = part.error;
-    const double by_energy = part.energy * wishes_.error / wishes_.energy;
+    const double by_energy = part.energy_error * wishes_.error / wishes_.energy;
     if (wishes_.energy > 0 && !(by_energy <= trial.error)) trial.error = by_energy;
   }
 }
@@ -137,7 +133,8 @@ Trial Search::run(const Candidate& candidate, double fineness, To to) const {
   Trial trial;
   trial.fineness = fineness;
   for (std::size_t k = 0; k < stages_.size() && trial.status == Status::ok; ++k) {
-    Part part{request_for(stages_[k], candidate, fineness, to)};
+    Part part;
+    part.request = request_for(stages_[k], candidate, fineness, to);
     trial.status = run_on(stages_[k], *candidate.on[k], part, to);
     trial.ns += part.ns;
     trial.parts.push_back(std::move(part));
@@ -169,7 +166,8 @@ Trial Search::command_run(const Candidate& candidate, double fineness) const {
     Part& part = made.parts[k];
     part.end_error = part.error;
     if (!(inside.parts[k].error <= part.error)) part.error = inside.parts[k].error;
-    if (!(inside.parts[k].energy <= part.energy)) part.energy = inside.parts[k].energy;
+    if (!(inside.parts[k].energy_error <= part.energy_error))
+      part.energy_error = inside.parts[k].energy_error;
   }
   made.error = nan;
   if (made.status == Status::ok) take_errors(made);

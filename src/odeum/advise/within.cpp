@@ -21,6 +21,11 @@ bool good(const Trial& trial, double ns) {
   return trial.status == Status::ok && trial.ns <= ns && std::isfinite(trial.error);
 }
 
+/// Time goes as the number of fixed steps, and as tol^(-1/p) for a method of order p.
+double time_power(const Candidate& candidate) {
+  return candidate.mode == Mode::fixed ? 1 : candidate.order();
+}
+
 /// The trial of least error that keeps to the time.
 const Trial* best_of(const Candidate& candidate, double ns) {
   const Trial* best = nullptr;
@@ -30,28 +35,6 @@ const Trial* best_of(const Candidate& candidate, double ns) {
 }
 
 }  // namespace
-
-/// Time goes as the number of fixed steps, and as tol^(-1/p) for a method of order p.
-double Search::next_within(const Candidate& candidate, double share) const {
-  const Trial& last = candidate.trials.back();
-  const double power = candidate.mode == Mode::fixed ? 1 : candidate.order();
-  double ratio = std::pow(share * wishes_.time_ns / last.ns, power);
-  // A run that failed may need a finer setting than it had, as far as the time allows it.
-  if (last.status == Status::over_budget) ratio = std::pow(0.1, power);
-  double fineness = in_range(candidate, last.fineness * std::clamp(ratio, 1e-6, 1e6));
-  const Trial *above = nullptr,
-              *below = nullptr;  // the nearest that take too long, and that do not
-  for (const Trial& trial : candidate.trials) {
-    const bool slow = trial.ns > wishes_.time_ns || trial.status == Status::over_budget;
-    if (slow && (!above || trial.fineness < above->fineness)) above = &trial;
-    if (!slow && (!below || trial.fineness > below->fineness)) below = &trial;
-  }
-  if (above && below && !(fineness > below->fineness && fineness < above->fineness))
-    fineness = in_range(candidate, std::sqrt(above->fineness * below->fineness));
-  for (const Trial& trial : candidate.trials)
-    if (trial.fineness == fineness) return 0;
-  return fineness;
-}
 
 void Search::take_within(Candidate& candidate, double fineness) {
   Trial trial = run(candidate, fineness);
@@ -80,7 +63,8 @@ void Search::search_within(Candidate& candidate) {
         (last.ns > near_enough * wishes_.time_ns || last.error <= 2 * c_.truth.floor))
       break;
     // A third of the time tells whether the whole is worth it.
-    const double fineness = next_within(candidate, k == 0 && !dear_ ? 0.3 : 0.95);
+    const double fineness = settings_of(candidate).next_within(
+        wishes_.time_ns, k == 0 && !dear_ ? 0.3 : 0.95, time_power(candidate));
     if (fineness == 0) break;
     take_within(candidate, fineness);
     if (const double foreseen = foreseen_error(candidate); foreseen > hopeless * least_error_)
@@ -132,13 +116,12 @@ void Search::settle_within(Candidate& candidate) const {
 }
 
 bool Search::adjust_within(Candidate& candidate, double ns) {
-  const double power = candidate.mode == Mode::fixed ? 1 : candidate.order();
   const Trial was = *candidate.found;
   const bool slow = ns > wishes_.time_ns;
   if (!slow && (ns > near_the_end * wishes_.time_ns || was.error <= 2 * c_.truth.floor))
     return false;
-  double fineness =
-      in_range(candidate, was.fineness * std::pow(aimed_at * wishes_.time_ns / ns, power));
+  double fineness = in_range(
+      candidate, was.fineness * std::pow(aimed_at * wishes_.time_ns / ns, time_power(candidate)));
   // Steps are whole multiples.
   if (slow && fineness >= was.fineness && candidate.mode == Mode::fixed)
     fineness = was.fineness - static_cast<double>(multiple_);

@@ -133,6 +133,20 @@ void CaseText::read_offered() {
   for (const auto& [name, value] : problem_.parameters) offered_.push_back(name);
 }
 
+Nature CaseText::nature() const {
+  Nature nature;
+  for (const std::string& word : all_texts("nature")) {
+    bool* const said = word == "smooth"    ? &nature.smooth
+                       : word == "stiff"   ? &nature.stiff
+                       : word == "chaotic" ? &nature.chaotic
+                                           : nullptr;
+    if (!said)
+      fail(find("nature")->place, "nature: got {}, expected smooth, stiff or chaotic", word);
+    *said = true;
+  }
+  return nature;
+}
+
 void CaseText::require_signs() {
   for (const YamlNode* each : entries(find("positive")))
     require_positive(scalar(*each, "positive"), number(*each, "positive"));

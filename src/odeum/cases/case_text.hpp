@@ -11,6 +11,7 @@
 #include "odeum/formula/case_section.hpp"
 #include "odeum/formula/problem.hpp"
 #include "odeum/problem/ode_view.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::cases {
 
@@ -57,6 +58,8 @@ class CaseText : protected formula::CaseSection {
   std::vector<double> stops();
   /// One positive number for each state.
   std::vector<double> thresholds();
+  /// What the case says of itself, see `nature`.
+  Nature nature() const;
   /// Throws std::invalid_argument where an expression that has to be positive is not.
   void require_signs();
   /// Whether the parameters are those of the file.

@@ -87,8 +87,7 @@ void compute_truth(Case& c, const std::shared_ptr<const Held>& held) {
     choose_steps(c, false, true);
   else
     usual_steps(c);
-  if (c.has_tag("stiff"))
-    c.facts.emplace_back("found", "stiff: explicit methods need many more steps");
+  if (c.nature.stiff) c.facts.emplace_back("found", "stiff: explicit methods need many more steps");
   c.facts.emplace_back("truth", words);
 }
 
@@ -96,6 +95,7 @@ Case foreign_case(const std::shared_ptr<const Held>& held) {
   const foreign::ProblemCallbacks& given = held->given;
   const odeum_problem& p = given.functions;
   Case c;
+  c.nature.autonomous = !p.time_derivative;
   c.equation = given.equation;
   c.source = given.source;
   c.components = given.components;
@@ -118,11 +118,9 @@ Case foreign_case(const std::shared_ptr<const Held>& held) {
 Statement foreign_statement(foreign::ProblemCallbacks from) {
   const auto held = std::make_shared<const Held>(std::move(from));
   const foreign::ProblemCallbacks& given = held->given;
-  Statement statement{
-      .id = given.id,
-      .title = given.title,
-      .tags = {given.functions.time_derivative ? "non_autonomous" : "autonomous", given.tag},
-      .make = [held] { return foreign_case(held); }};
+  Statement statement{.id = given.id, .title = given.title, .tags = {given.tag}, .make = [held] {
+                        return foreign_case(held);
+                      }};
   if (given.functions.acceleration) statement.tags.emplace_back("second_order");
   return statement;
 }

@@ -37,7 +37,7 @@ void set_solution(LinearForm& form, const Case& c) {
 std::optional<LinearForm> linear_form(const Case& c) {
   const OdeView& view = c.problem.view;
   const std::size_t n = c.y0.size();
-  if (n == 0 || n > most_unknowns_shown || !view.jacobian || !c.has_tag("linear")) return {};
+  if (n == 0 || n > most_unknowns_shown || !view.jacobian || !c.nature.linear) return {};
   LinearForm form{.size = n,
                   .a = std::vector<double>(n * n),
                   .b = std::vector<double>(n),

@@ -70,14 +70,6 @@ Facts facts_of(const scene::Structure& s) {
   return facts;
 }
 
-std::vector<std::string> tags_of(const scene::Structure& s, bool autonomous) {
-  std::vector<std::string> tags{autonomous ? "autonomous" : "non_autonomous", "second_order",
-                                "mechanical", "scene", s.linear ? "linear" : "nonlinear"};
-  if (s.order_kept == scene::order_at_kinks) tags.emplace_back("kinked");
-  if (s.order_kept == scene::order_at_surfaces) tags.emplace_back("kinked_4");
-  return tags;
-}
-
 /// What a solve may cost: some seconds of a processor, as foreseen from the number of terms, so
 /// that it is the same on each machine.
 std::uint64_t budget_of(const scene::SceneProblem& problem, std::uint64_t usual) {
@@ -110,7 +102,10 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   Case c;
   c.equation = "m q'' = the sum of the scene's forces";
   c.source = file;
-  c.tags = tags_of(structure, problem->lives().empty());
+  c.tags = {"second_order", "mechanical", "scene"};
+  c.nature.linear = structure.linear;
+  c.nature.autonomous = problem->lives().empty();
+  c.nature.highest_order = structure.order_kept;
   c.facts = facts_of(structure);
   if (!scene.emitters.empty())
     c.facts.emplace_back("emitted",

@@ -52,7 +52,7 @@ Case with_span(Case c, const Span& span) {
   for (const double stop : c.stops)
     if (c.truth.at(stop, state.data())) known.push_back(stop);
   cut_stops(c, known);
-  choose_steps(c, c.has_tag("smooth"), !known.empty());
+  choose_steps(c, c.nature.smooth, !known.empty());
   if (c.with_values)
     c.with_values = [inner = c.with_values, span](const std::vector<double>& values) {
       return with_span(inner(values), span);

@@ -95,7 +95,7 @@ void choose_steps(Case& c, bool smooth, bool known, std::uint64_t many) {
     return;
   }
   if (by_implicit > 0 && (by_explicit == 0 || by_explicit > 8 * by_implicit)) {
-    c.tags.emplace_back("stiff");
+    c.nature.stiff = true;
     s.coarsest_steps = by_implicit;
     s.finest_steps = 32 * by_implicit;
     s.evaluation_budget = 60'000;
@@ -104,7 +104,7 @@ void choose_steps(Case& c, bool smooth, bool known, std::uint64_t many) {
   s.coarsest_steps = by_explicit;
   s.finest_steps = std::clamp<std::uint64_t>(256 * by_explicit, 4096, 16 * most);
   s.evaluation_budget = std::max<std::uint64_t>(500'000, 10 * s.finest_steps);
-  if (smooth) c.tags.emplace_back("smooth");
+  if (smooth) c.nature.smooth = true;
 }
 
 }  // namespace odeum::cases

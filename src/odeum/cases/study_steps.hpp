@@ -15,7 +15,7 @@ std::uint64_t steps_multiple(double t0, const std::vector<double>& stops);
 inline constexpr std::uint64_t most_trial_steps = 40'000, many_trial_steps = 1000;
 
 /// Sets the steps with which studies run a case that has its entrants, by trial runs against its
-/// truth, and tags it `stiff` or, where its right-hand side is, `smooth`. Without a known truth
+/// truth, and finds it stiff or, where its right-hand side is, smooth. Without a known truth
 /// only the multiple.
 void choose_steps(Case& c, bool smooth, bool known, std::uint64_t many = many_trial_steps);
 

@@ -104,6 +104,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
       case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, units);
     StudySettings& settings = case_.settings;
     settings.no_fixed_steps = text("no_fixed_steps", "");
+    case_.nature = nature();
     take_number("steps_multiple", settings.steps_multiple);
     take_number("coarsest_steps", settings.coarsest_steps);
     take_number("finest_steps", settings.finest_steps);
@@ -144,8 +145,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     case_.problem.switches = switches_of(problem_);
     if (!file_.printed || case_.problem.switches) case_.entrants = enroll(case_.problem);
     const formula::Structure& s = analysis_->structure;
-    case_.tags = {s.linear ? "linear" : "nonlinear",
-                  s.autonomous ? "autonomous" : "non_autonomous"};
+    case_.nature.linear = s.linear, case_.nature.autonomous = s.autonomous;
     if (s.second_order && offers.second_order) {
       case_.tags.emplace_back("second_order");
       if (!s.velocity_dependent) case_.tags.emplace_back("separable");
@@ -278,7 +278,7 @@ std::vector<Statement> statements_of(const File& file, TextSource source) {
     all.push_back(
         {.id = id,
          .title = keys.text("title", keys.name().empty() ? id : keys.name()),
-         .tags = keys.tags(),
+         .tags = keys.all_texts("tags"),
          .make = [file, source] { return std::make_shared<TextCase>(file, source)->make(); }});
   }
   return all;

@@ -56,8 +56,7 @@ Facts text_facts(const formula::Problem& p, const formula::Analysis& analysis,
   facts.insert(facts.end(), p.notes.begin(), p.notes.end());
   for (const std::string& line : formula::describe(analysis.structure))
     facts.emplace_back("found", line);
-  if (c.has_tag("stiff"))
-    facts.emplace_back("found", "stiff: explicit methods need many more steps");
+  if (c.nature.stiff) facts.emplace_back("found", "stiff: explicit methods need many more steps");
   if (const std::string switches = switches_in_words(c); !switches.empty())
     facts.emplace_back("switches", switches);
   if (p.kinetic_energy != formula::no_node) {

@@ -188,7 +188,7 @@ int advise_on(Session& session, AdviseOptions& options, const CLI::App& command)
     print(commented(text) + code_of(c, struct_of(c, winner.info), winner, winner_request));
   } else {
     print(options.format == "json"  ? advise::json_of(advice, c, asked).dump(2) + "\n"
-          : options.format == "csv" ? advise::csv_of(advice, c)
+          : options.format == "csv" ? advise::csv_of(advice)
                                     : text);
   }
   if (folder) remark_on_page(advise::write_page(*folder, advice, c, asked));

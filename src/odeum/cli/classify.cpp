@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -253,9 +254,9 @@ void add_classify(CLI::App& app, Session& session) {
       ->expected(1, 3);
   add_option(*command, "--at X Y", given->at, "the type at one point")->expected(2);
   add_option(*command, "--region X0 X1 Y0 Y1", given->region,
-             "where the type is mapped; default: -1 1 -1 1")
+             fmt::format("where the type is mapped; default: {}", fmt::join(given->region, " ")))
       ->expected(4);
-  add_option(*command, "--divisions N", given->divisions, "of the map, each way; default: 120")
+  add_option(*command, "--divisions N", given->divisions, "of the map, each way; default: {}")
       ->check(CLI::Range(1, 2000));
   add_option(*command, "--out DIR", given->out,
              "folder for a table of the map and a page that draws it");

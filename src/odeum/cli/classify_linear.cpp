@@ -121,7 +121,7 @@ void classify_linear(const Case& c, const std::vector<std::string>& solvers,
     throw UsageError(
         "{}: not linear with constant coefficients, or of more than {} unknowns; got {} unknowns, "
         "{}; expected u' = A u + b",
-        c.id, cases::most_unknowns_shown, c.y0.size(), fmt::join(c.tags, " "));
+        c.id, cases::most_unknowns_shown, c.y0.size(), fmt::join(tags_of(c), " "));
   std::string text = lines_of({{"problem", c.title}, {"equation", c.equation}}) +
                      lines_of(cases::facts_of(*form, c));
   if (solvers.empty() != !step) throw UsageError("--solver and --step: expected both or none");

@@ -31,7 +31,7 @@ Listing list_cases() {
       .shown = 3};
   for (const Case& c : all_cases()) {
     listing.rows.push_back({c.id, c.title, c.equation, std::uint64_t{c.y0.size()}, c.stops.back(),
-                            fmt::format("{}", fmt::join(c.tags, " ")), c.truth.source,
+                            fmt::format("{}", fmt::join(tags_of(c), " ")), c.truth.source,
                             fmt::format("{}", fmt::join(c.stops, " "))});
     listing.stops.push_back(c.stops);
   }

@@ -250,20 +250,20 @@ void add_poisson(CLI::App& app) {
   add_option(*command, "mesh MESH", given->mesh,
              "a Gmsh file (format 4.1, ASCII), or square:N, l_shape:N or disc:N")
       ->required();
-  command->add_option("--load", given->load, "f, an expression in x and y; default: 1");
+  add_option(*command, "--load", given->load, "f, an expression in x and y; default: {}");
   command->add_option("--a", given->a, "a, one expression or three: a_xx a_xy a_yy; default: 1")
       ->expected(1, 3);
   command->add_option("--on", given->on,
                       "physical groups of the mesh's curves where u is given; none: nowhere; "
                       "default: on the whole boundary");
-  command->add_option("--value", given->value, "u there; default: 0");
-  command->add_option("--flux", given->flux, "n . a grad u on the rest; default: 0");
+  add_option(*command, "--value", given->value, "u there; default: {}");
+  add_option(*command, "--flux", given->flux, "n . a grad u on the rest; default: {}");
   command->add_flag("--mean-zero", given->mean_zero,
                     "where u is given nowhere: the solution of mean 0");
   command->add_option("--exact", given->exact, "the exact solution, to measure errors");
-  command->add_option("--refine", given->refine, "times that the mesh is refined; default: 0")
+  add_option(*command, "--refine", given->refine, "times that the mesh is refined; default: {}")
       ->check(CLI::Range(0, 10));
-  command->add_option("--tolerance", given->tolerance, "of the residual; default: 1e-10")
+  add_option(*command, "--tolerance", given->tolerance, "of the residual; default: {}")
       ->check(CLI::Range(1e-15, 1.0));
   add_option(*command, "--out DIR", given->out, "folder for solution.vtk and a page that draws it");
   command->callback([given] {

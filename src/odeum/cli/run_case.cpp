@@ -78,7 +78,7 @@ Truth truth_of(const Case& c, const std::vector<CaseRun>& runs) {
   times.erase(times.upper_bound(end), times.end());
   std::vector<double> state(c.y0.size());
   const auto known = [&](double t) { return c.truth.at(t, state.data()); };
-  if (c.has_tag("stiff") && known(end)) return c.truth;
+  if (c.nature.stiff && known(end)) return c.truth;
   // What ended the truth once would end it again.
   if (c.end() > c.stops.back() &&
       std::all_of(times.begin(), times.upper_bound(c.stops.back()), known))
@@ -86,7 +86,7 @@ Truth truth_of(const Case& c, const std::vector<CaseRun>& runs) {
   return truth::truth_at(c, {times.begin(), times.end()});
 }
 
-std::string describe(const Case& c, const CaseRun& run, const RunError& error) {
+std::string describe(const Case& c, const CaseRun& run, const RunRow& row) {
   const Outcome& outcome = run.outcome;
   const double end = run.request.stops.back();
   std::string text = fmt::format("solver  {}\n", run.entrant->info.id());
@@ -113,7 +113,7 @@ std::string describe(const Case& c, const CaseRun& run, const RunError& error) {
       text += " " + record::format_number(outcome.states[(run.reached(n) - 1) * n + i]);
     text += "\n";
   }
-  text += error_text(c, run, error);
+  text += error_text(c, run, row);
   if (const double difference = trajectories::difference_to_scheme(c, run); !std::isnan(difference))
     text += fmt::format("scheme  {:.3g} at most from its own closed form\n", difference);
   return text;
@@ -256,18 +256,15 @@ int run_case(Session& session, const cases::Named& what, const RunOptions& given
     c.truth = truth_of(c, runs);
   }
   bool any_close = false;
-  std::vector<RunError> errors;
+  RunRows all;
   for (const CaseRun& run : runs) {
-    errors.push_back(error_of(c, run));
-    say(describe(c, run, errors.back()));
+    const RunRow& row = all.rows.emplace_back(row_of(c, run));
+    say(describe(c, run, row));
     if (run.outcome.status != Status::ok) say(why_text(c, run, options));
-    any_close = any_close || (run.outcome.status == Status::ok && !errors.back().diverged);
+    any_close = any_close || (row.ok() && !row.diverged);
   }
   if (folder) say(write_files(*folder, c, runs, options, from_file));
-  if (rows) {
-    const RunRows all = rows_of(c, runs, errors);
-    print(options.format == "json" ? record::json_of(all) : record::csv_text(all.rows));
-  }
+  if (rows) print(options.format == "json" ? record::json_of(all) : record::csv_text(all.rows));
   return any_close ? success : solver_failed;
 }
 

@@ -17,18 +17,6 @@
 namespace odeum::cli {
 namespace {
 
-/// The largest error, and the root mean square over all stops, as studies have them.
-judge::StopError largest_of(const std::vector<judge::StopError>& errors) {
-  judge::StopError all = errors.back();
-  double mean_square = 0;
-  for (const judge::StopError& error : errors) {
-    all.error_max = std::max(all.error_max, error.error_max);
-    mean_square += error.error_rms * error.error_rms / static_cast<double>(errors.size());
-  }
-  all.error_rms = std::sqrt(mean_square);
-  return all;
-}
-
 /// The run's state at a stop.
 const double* state_at(const Case& c, const trajectories::CaseRun& run, double time) {
   const auto stop = std::ranges::find(run.request.stops, time) - run.request.stops.begin();
@@ -61,21 +49,19 @@ std::string errors_by_state(const Case& c, const trajectories::CaseRun& run, dou
                      fmt::join(parts, ", "), more);
 }
 
-std::string error_and_answer(const Case& c, const trajectories::CaseRun& run,
-                             const RunError& last) {
+std::string error_and_answer(const Case& c, const trajectories::CaseRun& run, const RunRow& row) {
   const double end = run.request.stops.back();
-  if (!last.known)
+  if (std::isnan(row.error_time))
     return fmt::format("error   unknown: no truth at t = {}: {}\n", end, c.truth.source);
-  std::string text =
-      fmt::format("error   {:.6g} (rms {:.6g}) ", last.error.error_max, last.error.error_rms);
+  std::string text = fmt::format("error   {:.6g} (rms {:.6g}) ", row.error, row.error_rms);
   if (!run.request.over_stops && run.request.stops.size() > 1)
-    text += fmt::format("at {} stops to t = {}, ", run.request.stops.size(), last.time);
-  else if (last.time < end)
-    text += fmt::format("at t = {}; no truth is known from there to t = {}; ", last.time, end);
+    text += fmt::format("at {} stops to t = {}, ", run.request.stops.size(), row.error_time);
+  else if (row.error_time < end)
+    text += fmt::format("at t = {}; no truth is known from there to t = {}; ", row.error_time, end);
   if (!c.units.scale.empty()) text += judge::unit_text(c) + ", ";
   text += fmt::format("against {}\n", c.truth.source);
-  if (!c.units.scale.empty()) text += errors_by_state(c, run, last.time);
-  const judge::JudgedAnswer& judged = last.judged;
+  if (!c.units.scale.empty()) text += errors_by_state(c, run, row.error_time);
+  const judge::JudgedAnswer& judged = row.judged;
   if (judged.answer == judge::Answer::not_applicable) return text;
   text += fmt::format("answer  {}", to_string(judged.answer));
   if (!judged.reason.empty())
@@ -88,20 +74,28 @@ std::string error_and_answer(const Case& c, const trajectories::CaseRun& run,
 
 }  // namespace
 
-RunError error_of(const Case& c, const trajectories::CaseRun& run) {
-  if (run.outcome.status != Status::ok) return {};
+RunRow row_of(const Case& c, const trajectories::CaseRun& run) {
   const Request& request = run.request;
+  const std::size_t reached = run.reached(c.y0.size());
+  RunRow row;
+  row.take(c, run.entrant->info, request, run.outcome);
+  row.end = request.stops.back();
+  row.reached = reached > 0 ? request.stops[reached - 1] : c.t0;
+  row.truth = c.truth.source;
+  row.floor = c.truth.floor;
+  if (!row.ok()) return row;
   const judge::Judge judge(c, request.stops);
   std::vector<judge::StopError> errors = judge.errors(run.outcome);
   while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();
-  if (errors.empty()) return {};
+  if (errors.empty()) return row;
   // Outputs are not judged, so that a run with them is answered as one without; the amplification
   // up to each of hundreds would take a hundred times as long as the run.
   if (request.over_stops) errors = {errors.back()};
   std::vector<double> stops;
   for (const judge::StopError& error : errors) stops.push_back(error.time);
-  const bool fixed = request.mode == Mode::fixed;
-  const double floor = stops.back() > c.stops.back() ? c.timed_floor() : c.truth.floor;
+  row.take_errors(errors);
+  row.error_time = stops.back();
+  if (row.error_time > c.stops.back()) row.floor = c.timed_floor();
   const judge::StopError& worst =
       *std::ranges::max_element(errors, [](const auto& a, const auto& b) {
         return a.error_max < b.error_max || (std::isnan(a.error_max) && !std::isnan(b.error_max));
@@ -110,19 +104,15 @@ RunError error_of(const Case& c, const trajectories::CaseRun& run) {
   c.truth.at(worst.time, exact.data());
   const std::size_t component =
       judge::worst_component(c, state_at(c, run, worst.time), exact.data());
-  return {
-      .known = true,
-      .component = component_names(c)[component],
-      .unit = c.units.of(component, exact[component]),
-      .time = stops.back(),
-      .error = largest_of(errors),
-      .floor = floor,
-      .judged = fixed ? judge::judge_fixed_answer(errors, judge.scale())
-                      : judge::judge_answer(
-                            errors, judge::measure_amplification(c, stops, request.tolerance),
-                            request.tolerance.relative,
-                            static_cast<double>(run.outcome.counters.steps), floor, judge.scale()),
-      .diverged = judge::has_diverged(errors, judge.scale())};
+  row.error_component = component_names(c)[component];
+  row.error_unit = c.units.of(component, exact[component]);
+  judge::Amplification amplification;
+  if (request.mode == Mode::adaptive)
+    amplification = judge::measure_amplification(c, stops, request.tolerance);
+  row.judged =
+      measure::answer_of(request, run.outcome, errors, amplification, row.floor, judge.scale());
+  row.diverged = judge::has_diverged(errors, judge.scale());
+  return row;
 }
 
 std::string cost_text(const Counters& counters) {
@@ -155,42 +145,11 @@ std::string first_text(const trajectories::CaseRun& run, std::size_t numbers, do
       state);
 }
 
-std::string error_text(const Case& c, const trajectories::CaseRun& run, const RunError& error) {
-  std::string text = error_and_answer(c, run, error);
+std::string error_text(const Case& c, const trajectories::CaseRun& run, const RunRow& row) {
+  std::string text = error_and_answer(c, run, row);
   for (const std::string& remark : judge::remarks(c, run.request, run.outcome))
     text += fmt::format("remark  {}\n", remark);
   return text;
-}
-
-RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs,
-                const std::vector<RunError>& errors) {
-  RunRows all;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const trajectories::CaseRun& run = runs[k];
-    const RunError& last = errors[k];
-    const bool fixed = run.request.mode == Mode::fixed;
-    const std::size_t reached = run.reached(c.y0.size());
-    all.rows.push_back({.case_id = c.id,
-                        .library = run.entrant->info.library,
-                        .solver = run.entrant->info.method,
-                        .mode = run.request.mode,
-                        .step = fixed ? step_of(run.request, c.t0) : nan,
-                        .tolerance = fixed ? nan : run.request.tolerance.relative,
-                        .end = run.request.stops.back(),
-                        .status = run.outcome.status,
-                        .detail = run.outcome.detail,
-                        .counters = run.outcome.counters,
-                        .reached = reached > 0 ? run.request.stops[reached - 1] : c.t0,
-                        .error_time = last.time,
-                        .error_component = last.component,
-                        .error_unit = last.unit,
-                        .error_max = last.known ? last.error.error_max : nan,
-                        .error_rms = last.known ? last.error.error_rms : nan,
-                        .floor = last.known ? last.floor : c.truth.floor,
-                        .judged = last.judged,
-                        .truth = c.truth.source});
-  }
-  return all;
 }
 
 }  // namespace odeum::cli

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "odeum/shards/assignment.hpp"
@@ -85,12 +86,16 @@ const Entrant& find_entrant(const Entrants& entrants, const std::string& on, con
 /// candidate is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
-/// Adds an option with the name of its value behind its own: "--step H".
+/// Adds an option with the name of its value behind its own: "--step H". A brace pair in `help` is
+/// the value where the option is not given.
 template <class Value>
 CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value,
-                        const std::string& help) {
+                        std::string help) {
+  if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string>)
+    help = fmt::format(fmt::runtime(help), value);
   const std::size_t space = name.find(' ');
-  return command.add_option(name.substr(0, space), value, help)->type_name(name.substr(space + 1));
+  CLI::Option* const option = command.add_option(name.substr(0, space), value, help);
+  return space == std::string::npos ? option : option->type_name(name.substr(space + 1));
 }
 
 /// The options of every study.

@@ -21,7 +21,10 @@ namespace odeum::cli {
 namespace {
 
 void add_own_option(CLI::App& command, const study::Option& option, study::Options& into) {
-  CLI::Option* added = command.add_option("--" + option.name, into.own[option.name], option.help);
+  CLI::Option* added = command.add_option(
+      "--" + option.name, into.own[option.name],
+      option.otherwise ? fmt::format("{}; default: {:g}", option.help, *option.otherwise)
+                       : option.help);
   if (!option.words.empty())
     added->check(CLI::IsMember(option.words));
   else

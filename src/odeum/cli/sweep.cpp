@@ -191,14 +191,14 @@ void add_sweep(CLI::App& app, Session& session, int& result) {
   add_option(*command, "--over-file FILE.csv", options->over_file,
              "the members themselves: a line of names, then a line of numbers for each");
   add_option(*command, "--sample N", options->sample, "how many values are drawn");
-  add_option(*command, "--seed N", options->seed, "of the draws; default: 1")
+  add_option(*command, "--seed N", options->seed, "of the draws; default: {}")
       ->check(CLI::Range(0, 1'000'000'000));
   add_option(*command, "--solver ID", options->solvers,
              "a solver; several run on the same members. For advice, a glob")
       ->allow_extra_args(false);
   add_option(*command, "--study STUDY", options->study,
              "run; or of each member converge: its order, precision: its least times to errors, "
-             "advise: the fastest solver to an error; default: run")
+             "advise: the fastest solver to an error; default: {}")
       ->check(CLI::IsMember({"run", "converge", "precision", "advise"}));
   add_option(*command, "--error E", options->error, "with --study advise: the error that is asked");
   add_option(
@@ -211,7 +211,7 @@ void add_sweep(CLI::App& app, Session& session, int& result) {
              "the end");
   add_option(*command, "--check N", options->check,
              "how many members are compared with a truth of their own, in at most 20 s; default: "
-             "100. With a closed form all are, and have a column error, unless N is 0")
+             "{}. With a closed form all are, and have a column error, unless N is 0")
       ->check(CLI::Range(0, 1'000'000'000));
   add_problem_options(*command, options->problems, false);
   add_option(*command, "--jobs N", options->common.jobs, "threads; default: one a core")

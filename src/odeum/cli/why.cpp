@@ -109,7 +109,7 @@ void add_why(CLI::App& app, Session& session, int& result) {
   add_step_and_tolerances(*command, options->settings);
   add_option(*command, "--until T", options->settings.until, "end time; default: the horizon");
   add_option(*command, "--seconds S", options->seconds,
-             "for the answer, the truth included; default: 20");
+             "for the answer, the truth included; default: {}");
   add_format(*command, options->format);
   add_option(*command, "--out DIR", options->out,
              "folder for the files: index.html, why.csv, why.json, trajectory.csv, ...");

@@ -19,7 +19,8 @@ constexpr std::string_view known_keys[] = {"title",        "equation",       "so
                                            "stops",        "thresholds",     "reference",
                                            "floor",        "invariants",     "no_fixed_steps",
                                            "timed_stops",  "steps_multiple", "coarsest_steps",
-                                           "finest_steps", "timed_floor",    "evaluation_budget"};
+                                           "finest_steps", "timed_floor",    "evaluation_budget",
+                                           "nature"};
 
 /// A node as text; of a mapping the keys alone where `keys` is true.
 std::string serialised(const YamlNode& node, bool keys = false) {
@@ -91,11 +92,11 @@ std::string CaseSection::text(std::string_view key, const std::string& otherwise
   return value ? scalar(*value, std::string(key)) : otherwise;
 }
 
-std::vector<std::string> CaseSection::tags() const {
+std::vector<std::string> CaseSection::all_texts(std::string_view key) const {
   std::vector<std::string> all;
   for (const auto* list : {&common_, &own_})
-    if (const Item* const given = entry_of(*list, "tags"))
-      for (std::string& tag : texts_of(given->value, "tags")) all.push_back(std::move(tag));
+    if (const Item* const given = entry_of(*list, key))
+      for (std::string& text : texts_of(given->value, key)) all.push_back(std::move(text));
   return all;
 }
 

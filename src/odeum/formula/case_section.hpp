@@ -33,8 +33,8 @@ class CaseSection : protected reading::Source {
   /// The scalar of a key, or the entries of its list; none: neither.
   std::vector<std::string> texts(std::string_view key) const;
   std::string text(std::string_view key, const std::string& otherwise) const;
-  /// The tags of `case`, then those of the case.
-  std::vector<std::string> tags() const;
+  /// The same of `case`, then of the case.
+  std::vector<std::string> all_texts(std::string_view key) const;
   Offers offers() const;
 
  protected:

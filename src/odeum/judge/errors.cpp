@@ -18,6 +18,20 @@ double error_of_component(const Case& c, std::size_t i, const double* y, const d
 
 }  // namespace
 
+StopError over_stops(const std::vector<StopError>& errors) {
+  StopError all = errors.back();
+  all.error_max = 0;
+  all.energy_error = std::isnan(errors.front().energy) ? nan : 0;
+  double mean_square = 0;
+  for (const StopError& error : errors) {
+    all.error_max = std::max(all.error_max, error.error_max);
+    mean_square += error.error_rms * error.error_rms / static_cast<double>(errors.size());
+    if (!(error.energy_error <= all.energy_error)) all.energy_error = error.energy_error;
+  }
+  all.error_rms = std::sqrt(mean_square);
+  return all;
+}
+
 std::vector<std::size_t> measured_components(const Case& c) {
   std::vector<std::size_t> measured = c.measured;
   if (measured.empty()) {

@@ -16,6 +16,11 @@ struct StopError {
   double energy_error = 0;  ///< |E - E_truth| / largest |E_truth| over the stops
 };
 
+/// The error of a run by those at its stops: the largest, the root mean square over all of them,
+/// and the largest of the energy. Stops at which the truth is not known have no part in the
+/// largest. Its time is the last stop's. `errors` is not empty.
+StopError over_stops(const std::vector<StopError>& errors);
+
 /// The components whose error is measured: those that the case names, or all.
 std::vector<std::size_t> measured_components(const Case& c);
 

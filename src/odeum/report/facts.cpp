@@ -46,7 +46,7 @@ CaseFacts facts_of(const Case& c) {
           .start = c.t0,
           .timed_end = c.timed_stops().empty() ? c.t0 : c.timed_stops().back(),
           .scale = scale > 0 ? scale : 1,
-          .tags = c.tags,
+          .tags = tags_of(c),
           .eigenvalues = std::move(spectrum.eigenvalues),
           .eigenvalues_time = spectrum.time,
           .linear = linear ? cases::facts_of(*linear, c) : odeum::Facts{}};

@@ -16,6 +16,27 @@ void complete(Case& c) {
   if (const auto compute = std::exchange(c.compute_truth, {})) compute(c);
 }
 
+std::vector<std::string> tags_of(const Case& c) {
+  const Nature& is = c.nature;
+  const std::pair<const char*, bool> words[] = {{"linear", is.linear},
+                                                {"nonlinear", !is.linear},
+                                                {"autonomous", is.autonomous},
+                                                {"non_autonomous", !is.autonomous},
+                                                {"kinked", is.highest_order == 2},
+                                                {"kinked_4", is.highest_order == 4},
+                                                {"smooth", is.smooth},
+                                                {"stiff", is.stiff},
+                                                {"chaotic", is.chaotic}};
+  std::vector<std::string> all;
+  for (const auto& [word, holds] : words)
+    if (holds) all.emplace_back(word);
+  for (const std::string& tag : c.tags)
+    if (std::ranges::find(words, tag, [](const auto& word) { return word.first; }) ==
+        std::end(words))
+      all.push_back(tag);
+  return all;
+}
+
 std::vector<std::string> component_names(const Case& c) {
   if (!c.components.empty()) return c.components;
   const bool second_order = c.problem.view.second_order();

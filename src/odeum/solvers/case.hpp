@@ -68,11 +68,29 @@ struct Family {
   std::function<void(const std::vector<double>& values)> place;
 };
 
+/// What is known of a case by its equations, its forces or trial runs. Studies decide by it, and
+/// never by a tag, which anybody may write.
+struct Nature {
+  bool linear = false;  ///< in the state
+  bool autonomous = true;
+  bool smooth = false;  ///< methods of every order converge visibly within the budget
+  bool stiff = false;   ///< explicit methods need many more steps than implicit ones
+  bool chaotic = false;
+  /// The highest order that any method has on it, by the derivative of the right-hand side that
+  /// jumps.
+  double highest_order = std::numeric_limits<double>::infinity();
+};
+
 /// How studies choose the settings of their solves on a case.
 struct StudySettings {
   /// Why no solver runs at a fixed step, and why the convergence study leaves the case out; empty
   /// where neither holds.
   std::string no_fixed_steps, no_convergence;
+  /// The convergence study runs to the first stop alone: after it no order shows at steps that the
+  /// budget allows.
+  bool orders_to_first_stop = false;
+  /// It spends the budget of the case, as on smooth ones, and not that of hard problems.
+  bool orders_in_full = false;
   std::uint64_t steps_multiple = 1;    ///< every fixed-step count is a multiple of it (stops)
   std::uint64_t coarsest_steps = 16;   ///< the convergence study's smallest count for order 4
   std::uint64_t finest_steps = 16384;  ///< and its largest, once it has eight
@@ -111,7 +129,8 @@ struct Case {
   std::string title;
   std::string equation;
   std::string source;             ///< where the equation and its parameters come from
-  std::vector<std::string> tags;  ///< linear, nonlinear, non_autonomous, second_order, smooth, ...
+  std::vector<std::string> tags;  ///< words of its author; see tags_of
+  Nature nature;
   Facts facts;
 
   double t0 = 0;
@@ -177,13 +196,15 @@ struct Case {
   double floor_of(std::size_t component) const {
     return truth.floors.empty() ? truth.floor * scale_of(component) : truth.floors[component];
   }
-  bool has_tag(const std::string& tag) const { return std::ranges::find(tags, tag) != tags.end(); }
 };
 
 /// Computes the truth of a case that was made before it, under the deadline in force
 /// (truth::Deadline); nothing where it is there. Throws InputError for a statement that the truth
 /// contradicts (an invariant that is not kept).
 void complete(Case& c);
+
+/// The words for the case's nature, and its tags that are none of these.
+std::vector<std::string> tags_of(const Case& c);
 
 /// The case's own names of its components, or y0, y1, ...; of second-order problems q0, ..., v0,
 /// ...

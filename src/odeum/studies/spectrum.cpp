@@ -20,7 +20,7 @@ SpectrumAlong spectrum_along(const Case& c, double time) {
   for (int k = 1; k <= points; ++k) request.stops.push_back(c.t0 + time * k / points);
   Outcome outcome = refused("no solver fits");
   std::vector<std::string> solvers{"odeum/radau_iia5"};
-  if (!small) solvers.insert(c.has_tag("stiff") ? solvers.end() : solvers.begin(), explicit_pair);
+  if (!small) solvers.insert(c.nature.stiff ? solvers.end() : solvers.begin(), explicit_pair);
   for (const std::string& solver : solvers) {
     const Entrant& entrant = find_solver(c.entrants, solver);
     if (!entrant.solve || outcome.status == Status::ok) continue;

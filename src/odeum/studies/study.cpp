@@ -15,6 +15,10 @@ double Options::number(const std::string& name, double otherwise) const {
   return found == own.end() ? otherwise : record::number_of(found->second);
 }
 
+double Options::number(const Option& option) const {
+  return number(option.name, option.otherwise.value());
+}
+
 std::string Options::word(const std::string& name) const {
   const auto found = own.find(name);
   return found == own.end() ? "" : found->second;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,26 @@
 
 namespace odeum::study {
 
+/// An option of one study: a word out of a list, or a number between bounds.
+struct Option {
+  std::string name, help;               ///< the name without its dashes
+  std::vector<std::string> words = {};  ///< empty: a number
+  double least = 0, most = 1e9;
+  bool whole = false;                    ///< the number has to be an integer
+  std::optional<double> otherwise = {};  ///< where it is not given, if always the same
+};
+
+/// An option whose value is a whole number.
+inline Option whole_number(std::string name, double least, double most, std::string help,
+                           std::optional<double> otherwise = {}) {
+  return {.name = std::move(name),
+          .help = std::move(help),
+          .least = least,
+          .most = most,
+          .whole = true,
+          .otherwise = otherwise};
+}
+
 /// The options of a run of a study.
 struct Options {
   std::vector<std::string> cases = {};    ///< globs on case ids; empty: all
@@ -26,27 +47,11 @@ struct Options {
   std::map<std::string, std::string> own = {};  ///< by Option::name; only those given
 
   double number(const std::string& name, double otherwise) const;
+  double number(const Option& option) const;
   std::string word(const std::string& name) const;  ///< empty where not given
   /// A text that identifies the options, by which results are kept.
   std::string text() const;
 };
-
-/// An option of one study: a word out of a list, or a number between bounds.
-struct Option {
-  std::string name, help;               ///< the name without its dashes
-  std::vector<std::string> words = {};  ///< empty: a number
-  double least = 0, most = 1e9;
-  bool whole = false;  ///< the number has to be an integer
-};
-
-/// An option whose value is a whole number.
-inline Option whole_number(std::string name, double least, double most, std::string help) {
-  return {.name = std::move(name),
-          .help = std::move(help),
-          .least = least,
-          .most = most,
-          .whole = true};
-}
 
 /// A study as the command line needs it.
 struct Declaration {

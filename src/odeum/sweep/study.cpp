@@ -39,7 +39,7 @@ MemberRow order_of(Case& c, const StudyWishes& wishes) {
   double least = nan;
   for (const study::ConvergenceRow& run : result.rows) {
     row.evaluations += run.counters.rhs_evaluations;
-    if (!(run.error_max >= least)) least = run.error_max;
+    if (!(run.error >= least)) least = run.error;
   }
   row.answer = judge::to_string(fit.verdict);
   if (std::isnan(fit.order)) row.status = row.answer;
@@ -72,7 +72,7 @@ MemberRow times_of(Case& c, const StudyWishes& wishes) {
   std::size_t reached = 0;
   for (const study::FastestRow& best : study::fastest(rows, stage.floor))
     for (std::size_t k = 0; k < compared.size(); ++k)
-      if (std::abs(best.error / compared[k] - 1) < 0.01) {
+      if (std::abs(best.compared / compared[k] - 1) < 0.01) {
         row.values[k] = best.wall_ns_min;
         ++reached;
       }

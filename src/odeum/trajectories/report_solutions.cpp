@@ -43,21 +43,20 @@ std::map<double, std::vector<CaseRun>> chosen_of(const Case& c,
     if (entrant.unfit.empty()) entrants[entrant.info.id()] = &entrant;
   std::map<double, std::vector<CaseRun>> by_end;
   std::set<std::tuple<const Entrant*, double, Mode, double>> known;  // end, steps or 1 / tolerance
-  const auto add = [&](const auto& row, double setting, double end) {
-    if (row.case_id != c.id || std::isnan(setting) || row.status == "not_applicable" ||
+  const auto add = [&](const measure::RunRecord& row, double end) {
+    if (row.case_id != c.id || std::isnan(row.setting) || row.status == "not_applicable" ||
         row.status == to_string(Status::over_budget) || row.status == to_string(Status::refused) ||
         row.counters.rhs_evaluations > budget_of(c))
       return;
     const auto found = entrants.find(row.library + "/" + row.solver);
     if (found == entrants.end()) return;
-    const Request request =
-        drawn_request(c, row.mode, setting, end, {.evaluations = 4 * budget_of(c), .seconds = 2});
+    const Request request = drawn_request(c, row.mode, row.setting, end,
+                                          {.evaluations = 4 * budget_of(c), .seconds = 2});
     if (known.emplace(found->second, end, row.mode, fineness_of(request)).second)
       by_end[end].push_back({found->second, request, {}});
   };
-  for (const study::ConvergenceRow& row : converged.rows)
-    add(row, row.mode == Mode::fixed ? row.step : row.tolerance, c.stops.back());
-  for (const study::PrecisionRow& row : timed.rows) add(row, row.setting, c.timed_stops().back());
+  for (const study::ConvergenceRow& row : converged.rows) add(row, c.stops.back());
+  for (const study::PrecisionRow& row : timed.rows) add(row, c.timed_stops().back());
   return by_end;
 }
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "odeum/judge/errors.hpp"
+#include "odeum/measure/run_record.hpp"
 #include "odeum/record/rows.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/report/text.hpp"
@@ -16,29 +16,18 @@ namespace {
 using nlohmann::ordered_json;
 
 /// One run: a line of runs.csv.
-struct RunRow {
-  std::string library, solver, status, detail, setting_kind;
-  double setting = nan;
-  Counters counters;
-  double result = nan;      ///< of a case the error at the end, of a scene the change of energy
-  std::string replay = {};  ///< the address of its page; empty: it has none
+struct RunRow : measure::RunRecord {  ///< of a case with its error at the end
+  double energy_change = nan;         ///< of a scene, to the end
+  std::string replay = {};            ///< the address of its page; empty: it has none
 
   static constexpr const char* file = "runs.csv";
-  ODEUM_COLUMNS(library, solver, status, detail, setting_kind, setting, counters.steps,
+  /// 2: error and energy_change, which were one column
+  static constexpr int schema = 2;
+  ODEUM_COLUMNS(library, solver, status, detail,
+                column("setting_kind", PhraseColumn{mode, "step", "tol"}), setting, counters.steps,
                 counters.rejected_steps, counters.rhs_evaluations, counters.jacobian_evaluations,
-                result, replay)
+                error, energy_change, replay)
 };
-
-/// The row of a CaseRun or a SceneRun.
-RunRow row_of(const auto& run, double t0) {
-  return {.library = run.entrant->info.library,
-          .solver = run.entrant->info.method,
-          .status = to_string(run.outcome.status),
-          .detail = run.outcome.detail,
-          .setting_kind = setting_kind(run.request.mode),
-          .setting = setting_of(run.request, t0),
-          .counters = run.outcome.counters};
-}
 
 report::Facts facts_of(const auto& runs) {
   report::Facts facts{.cases = {}, .solvers = {}, .libraries = all_libraries()};
@@ -122,9 +111,9 @@ bool write_case_page(const record::OutputFolder& folder, const Case& c,
   page.table("runs", "why.csv", texts.bounds);
   std::vector<RunRow> rows;
   for (const CaseRun& run : runs) {
-    rows.push_back(row_of(run, c.t0));
-    if (run.outcome.status == Status::ok)
-      rows.back().result = judge::Judge(c, run.request.stops).errors(run.outcome).back().error_max;
+    RunRow& row = rows.emplace_back();
+    row.take(c, run.entrant->info, run.request, run.outcome);
+    if (row.ok()) row.take_errors({judge::Judge(c, run.request.stops).errors(run.outcome).back()});
   }
   record::write_rows(rows, folder);
   page.rows("runs", rows);
@@ -150,10 +139,11 @@ bool write_scene_page(const record::OutputFolder& folder, const scene::Scene& sc
     for (const scene::Frame& frame : frames)
       energies.rows.push_back({info.library, info.method, frame.t, frame.kinetic, frame.potential,
                                frame.kinetic + frame.potential});
-    rows.push_back(row_of(run, 0));
-    rows.back().result = frames.back().kinetic + frames.back().potential - frames.front().kinetic -
-                         frames.front().potential;
-    rows.back().replay = run.folder + "replay.html";
+    RunRow& row = rows.emplace_back();
+    row.take(info, 0, run.request, run.outcome);
+    row.energy_change = frames.back().kinetic + frames.back().potential - frames.front().kinetic -
+                        frames.front().potential;
+    row.replay = run.folder + "replay.html";
   }
   record::write_rows(rows, folder);
   page.rows("runs", rows);

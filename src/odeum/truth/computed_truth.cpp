@@ -18,7 +18,7 @@ System case_system(const Case& c) {
   system.t0 = c.t0;
   system.y0 = c.extended->y0;
   system.rhs = c.extended->f;
-  system.smooth = !c.has_tag("kinked");
+  system.smooth = c.nature.highest_order > 2;  // its derivative does not jump
   system.work = 10 * static_cast<double>(system.states);
   const SharedOde problem(c.problem.view, c.problem.keep_alive);
   if (problem.offers_jacobian() && system.states <= most_in_matrix)

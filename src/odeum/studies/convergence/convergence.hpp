@@ -6,33 +6,25 @@
 #include <tuple>
 #include <vector>
 
-#include "odeum/judge/answer.hpp"
-#include "odeum/judge/errors.hpp"
 #include "odeum/judge/order_fit.hpp"
+#include "odeum/measure/run_record.hpp"
 #include "odeum/studies/study.hpp"
 
 namespace odeum::study {
 
 /// One solve: a line of convergence.csv. Errors are absolute, in the case's units, over all stops
-/// and measured components; NaN where the solve failed or the case has no energy.
-struct ConvergenceRow {
-  std::string case_id, library, solver;
-  Mode mode = Mode::fixed;
-  std::string status;  ///< a Status, or not_applicable
-  std::string detail;
-  double step = 0;       ///< adaptive: the mean step
-  double tolerance = 0;  ///< adaptive; NaN at a fixed step
-  std::uint64_t steps = 0;
-  double error_max = 0, error_rms = 0;
-  double energy_error = 0;  ///< relative to the largest |energy| of the truth at the stops
-  Counters counters;
-  judge::JudgedAnswer judged;  ///< of a run to a tolerance
+/// and measured components; that of the energy is relative to the largest |energy| of the truth at
+/// the stops.
+struct ConvergenceRow : measure::RunRecord {
+  double step = nan;        ///< of a run to a tolerance the mean one
+  std::uint64_t steps = 0;  ///< at a fixed step those asked for
 
   static constexpr const char* file = "convergence.csv";
-  static constexpr int schema = 2;  ///< 2: the answer of a run to a tolerance
-  ODEUM_COLUMNS(case_id, library, solver, status, detail, step, steps, error_max, error_rms,
-                energy_error, counters.rhs_evaluations, counters.jacobian_evaluations, mode,
-                tolerance, counters.rejected_steps, judged)
+  /// 2: the answer of a run to a tolerance; 3: the setting in place of the tolerance
+  static constexpr int schema = 3;
+  ODEUM_COLUMNS(case_id, library, solver, status, detail, step, steps, column("error_max", error),
+                error_rms, energy_error, counters.rhs_evaluations, counters.jacobian_evaluations,
+                mode, setting, counters.rejected_steps, judged)
 };
 
 /// The error of one solve at one stop: a line of convergence_times.csv.gz.

@@ -15,12 +15,9 @@ namespace {
 using judge::NoOrder, judge::OrderFit, judge::Verdict;
 using Rows = std::vector<const ConvergenceRow*>;
 
-/// The highest order that any method has on a case, by the derivative of its right-hand side that
-/// jumps: the first, or the third as where surfaces meet (scene/surface/surface_law.hpp).
-double highest_order(const Pair& pair) {
-  return pair.c->has_tag("kinked") ? 2 : pair.c->has_tag("kinked_4") ? 4 : infinity;
+bool above_kinks(const Pair& pair) {
+  return pair.entrant->info.order > pair.c->nature.highest_order;
 }
-bool above_kinks(const Pair& pair) { return pair.entrant->info.order > highest_order(pair); }
 
 /// On linear problems with constant coefficients: that to which the stability function is e^z,
 /// which is above the order of a few methods. It is measured next to 0, above rounding.
@@ -73,7 +70,7 @@ void add_cost(const Pair& pair, const Rows& rows, const Foreseen& foreseen, Orde
   Request next;
   next.mode = pair.mode;
   next.steps = (*first)->steps;
-  next.tolerance = (*first)->tolerance;
+  next.tolerance = (*first)->setting;
   const double work = foreseen.work(next);
   fit.why = NoOrder::budget_ends;
   fit.reason += pair.mode == Mode::fixed
@@ -122,7 +119,7 @@ double claimed_order(const Pair& pair) {
   const SolverInfo& info = pair.entrant->info;
   const bool varies = pair.mode == Mode::adaptive && info.adaptive_order;
   if (varies || above_kinks(pair)) return nan;
-  const bool linear = pair.c->has_tag("linear") && !pair.c->has_tag("non_autonomous");
+  const bool linear = pair.c->nature.linear && pair.c->nature.autonomous;
   return linear && pair.mode == Mode::fixed ? linear_order(info) : info.order;
 }
 
@@ -136,7 +133,7 @@ void explain(const Pair& pair, const Rows& rows, const Foreseen& foreseen, Order
       fit.reason = fmt::format(
           "the right-hand side has kinks: a step across one errs by O(h^{0}), so that no method "
           "has an order above {0} on this case",
-          highest_order(pair));
+          pair.c->nature.highest_order);
   } else if (fit.verdict == Verdict::lower || fit.verdict == Verdict::floors) {
     const bool linearised = pair.entrant->info.family == "linearly_implicit";
     if (linearised && !pair.c->problem.view.jacobian)

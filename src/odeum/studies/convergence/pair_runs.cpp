@@ -33,34 +33,13 @@ OrderRow make_order(const Pair& pair, const judge::OrderFit& fit) {
 }
 
 ConvergenceRow make_row(const Pair& pair, const Request& request, const Outcome& outcome) {
-  auto row = blank_row<ConvergenceRow>(pair);
-  row.status = to_string(outcome.status);
-  row.detail = outcome.detail;
-  row.counters = outcome.counters;
-  const double horizon = request.stops.back() - pair.c->t0;
-  if (pair.mode == Mode::fixed) {
-    row.steps = request.steps;
-    row.step = horizon / static_cast<double>(request.steps);
-    row.tolerance = nan;
-  } else {
-    row.steps = outcome.counters.steps;
-    row.step =
-        outcome.status == Status::ok && row.steps ? horizon / static_cast<double>(row.steps) : nan;
-    row.tolerance = request.tolerance.relative;
-  }
-  row.error_max = row.error_rms = row.energy_error = nan;
+  ConvergenceRow row;
+  row.take(*pair.c, pair.entrant->info, request, outcome);
+  const bool fixed = pair.mode == Mode::fixed;
+  row.steps = fixed ? request.steps : outcome.counters.steps;
+  if (fixed || (row.ok() && row.steps))
+    row.step = (request.stops.back() - pair.c->t0) / static_cast<double>(row.steps);
   return row;
-}
-
-void judge_row(const std::vector<judge::StopError>& errors, ConvergenceRow& row) {
-  row.error_max = row.error_rms = 0;
-  row.energy_error = std::isnan(errors.front().energy) ? nan : 0;
-  for (const judge::StopError& error : errors) {
-    row.error_max = std::max(row.error_max, error.error_max);
-    row.error_rms += error.error_rms * error.error_rms / static_cast<double>(errors.size());
-    if (!(error.energy_error <= row.energy_error)) row.energy_error = error.energy_error;
-  }
-  row.error_rms = std::sqrt(row.error_rms);
 }
 
 /// The runs of one pair.
@@ -138,7 +117,7 @@ class PairRuns {
     if (!is_open()) return;
     std::vector<double> solved;
     for (const Run& run : runs_)
-      if (std::isfinite(run.point.error)) solved.push_back(run.row.tolerance);
+      if (std::isfinite(run.point.error)) solved.push_back(run.row.setting);
     if (solved.empty()) return;
     run_between(tolerances_between(pair_, like, solved), false);
     if (at_floor_ == 0 && is_open())
@@ -185,7 +164,7 @@ class PairRuns {
       std::erase_if(runs_, [&](const Run& run) {
         return pair_.mode == Mode::fixed
                    ? run.row.steps == request.steps
-                   : std::abs(run.row.tolerance / request.tolerance.relative - 1) < 1e-6;
+                   : std::abs(run.row.setting / request.tolerance.relative - 1) < 1e-6;
       });
       const Outcome outcome = pair_.entrant->solve(request);
       runs_.push_back(measure(request, outcome));
@@ -196,8 +175,7 @@ class PairRuns {
       break;
     }
     const auto finer = [&](const Run& a, const Run& b) {
-      return pair_.mode == Mode::fixed ? a.row.steps > b.row.steps
-                                       : a.row.tolerance < b.row.tolerance;
+      return pair_.mode == Mode::fixed ? a.row.steps > b.row.steps : a.row.setting < b.row.setting;
     };
     std::ranges::stable_sort(runs_, [&](const Run& a, const Run& b) { return finer(b, a); });
     // Where finer steps than those that the usual budget ended were paid for, it ended nothing.
@@ -231,14 +209,11 @@ class PairRuns {
     ConvergenceRow& row = run.row;
     run.point = {.step = row.step, .error = nan};
     row.judged.answer = judge::Answer::none;
-    if (outcome.status != Status::ok) return run;
+    if (!row.ok()) return run;
     const std::vector<judge::StopError> errors = judge_.errors(outcome);
-    judge_row(errors, row);
-    row.judged = row.mode == Mode::fixed
-                     ? judge::judge_fixed_answer(errors, judge_.scale())
-                     : judge::judge_answer(errors, amplification_, request.tolerance.relative,
-                                           static_cast<double>(row.steps), pair_.c->truth.floor,
-                                           judge_.scale());
+    row.take_errors(errors);
+    row.judged = measure::answer_of(request, outcome, errors, amplification_, pair_.c->truth.floor,
+                                    judge_.scale());
     for (const judge::StopError& e : errors) run.times.push_back(time_row(row, e));
     run.point.error = row.error_rms;
     run.point.rounding_unit = rounding_unit_;
@@ -270,8 +245,7 @@ const std::string& reason_against(const Pair& pair) {
 }
 
 ConvergenceResult not_measured(const Pair& pair, const std::string& reason) {
-  ConvergenceRow row = not_applicable(blank_row<ConvergenceRow>(pair), reason);
-  row.step = row.tolerance = row.error_max = row.error_rms = row.energy_error = nan;
+  const ConvergenceRow row = not_applicable(blank_row<ConvergenceRow>(pair), reason);
   judge::OrderFit fit;
   fit.verdict = judge::Verdict::not_applicable;
   fit.reason = reason;

@@ -12,7 +12,7 @@ bool is_small(const Case& c) { return c.y0.size() <= dense_dimension_limit; }
 // Where orders are measured, on the smooth cases and the cloths, the case sets the budget. Many
 // solvers cannot solve the hard ones at all: with this budget a full study spends five minutes on
 // them.
-bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("cloth"); }
+bool shows_orders(const Case& c) { return c.nature.smooth || c.settings.orders_in_full; }
 constexpr std::uint64_t hard_budget = 30'000, quick_hard_budget = 10'000;
 // A small problem's extra runs together: half a second at a microsecond for each evaluation.
 constexpr std::uint64_t cheap_evaluations = 500'000;
@@ -47,8 +47,7 @@ std::vector<std::uint64_t> step_counts(const Case& c, double order, bool quick) 
 }  // namespace
 
 std::vector<double> convergence_stops(const Case& c) {
-  if ((c.has_tag("cloth") && !c.has_tag("smooth")) || c.has_tag("late_encounters"))
-    return {c.stops.front()};
+  if (c.settings.orders_to_first_stop) return {c.stops.front()};
   return c.stops;
 }
 
@@ -84,7 +83,7 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
 
 std::vector<Request> settings_between(const Pair& pair, Request request,
                                       std::vector<std::uint64_t> informative, bool to_rounding) {
-  const bool small = is_small(*pair.c), smooth = pair.c->has_tag("smooth");
+  const bool small = is_small(*pair.c), smooth = pair.c->nature.smooth;
   if (small ? !smooth && !to_rounding : !smooth || !to_rounding) return {};
   constexpr std::size_t most_of_long_runs = 5;
   if (!small && informative.size() > most_of_long_runs)
@@ -109,7 +108,7 @@ std::vector<Request> settings_between(const Pair& pair, Request request,
 std::vector<Request> settings_beyond(const Pair& pair, Request request,
                                      const std::vector<std::uint64_t>& informative) {
   const bool small = is_small(*pair.c);
-  if (informative.empty() || (!small && !pair.c->has_tag("smooth"))) return {};
+  if (informative.empty() || (!small && !pair.c->nature.smooth)) return {};
   // Runs that are cheap go to a sixteenth of the step.
   std::uint64_t& budget = request.budget.evaluations;
   budget = small ? cheap_evaluations : 3 * budget;

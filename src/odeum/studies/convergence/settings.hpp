@@ -7,10 +7,8 @@
 
 namespace odeum::study {
 
-/// Where a study of convergence measures errors: at a case's stops. A cloth of stiff or
-/// tension-only springs runs to the first of them alone: its order shows at steps of 1e-4 s and
-/// less. So does a case with the tag `late_encounters`: after it, errors grow so that equal steps
-/// show no order.
+/// Where a study of convergence measures errors: at a case's stops, or at the
+/// first of them alone where the case says so.
 std::vector<double> convergence_stops(const Case& c);
 
 /// The settings at which a study of convergence runs a pair, from coarse to fine: numbers of steps,

@@ -171,7 +171,7 @@ DriftResult measure_drift(const Options& options, const Runner& runner) {
   for (const Case* c : cases) runs.try_emplace(c, *c);
   return runner.run("drift", select_pairs(cases, options.solvers), key_of, [&](const Pair& pair) {
     DriftResult result{.rows = run_pair(runs.at(pair.c), *pair.entrant)};
-    if (pair.c->has_tag("chaotic")) result.horizons = measure_horizons(*pair.c, *pair.entrant);
+    if (pair.c->nature.chaotic) result.horizons = measure_horizons(*pair.c, *pair.entrant);
     return result;
   });
 }

@@ -30,11 +30,7 @@ struct DriftRow {
 };
 
 /// The time up to which a solver follows a chaotic solution: a line of horizons.csv.
-struct HorizonRow {
-  std::string case_id, library, solver;
-  std::string status, detail;
-  Mode mode = Mode::fixed;
-  double setting = nan;  ///< step, or tolerance
+struct HorizonRow : measure::RunRecord {
   /// When the largest error of a component reaches 1e-3, by linear interpolation of its logarithm
   /// between times at which the truth is known; NaN where the solve failed before.
   double horizon = nan;
@@ -56,8 +52,8 @@ struct DriftResult {
 
 /// Runs every fitting pair at a fixed step, half of that at which the case's study of convergence
 /// begins, over 10,000 steps (1,000 where there are more than 12 unknowns), and compares the
-/// invariants of the exact solution at some 35 times between the first step and the last. Cases
-/// tagged `chaotic` are run for their horizons too. Throws Interrupted.
+/// invariants of the exact solution at some 35 times between the first step and the last. Chaotic
+/// cases are run for their horizons too. Throws Interrupted.
 DriftResult measure_drift(const Options& options, const Runner& runner = Runner());
 
 /// The horizons of one solver on one case: three steps and three tolerances.

@@ -65,10 +65,9 @@ std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant) 
   const std::vector<double> times = times_of_truth(c);
   std::vector<HorizonRow> rows;
   for (const Request& request : settings_of(c, entrant.info, times)) {
-    HorizonRow row = blank;
-    row.mode = request.mode;
-    row.setting = setting_of(request, c.t0);
+    HorizonRow row;
     Outcome outcome = entrant.solve(request);
+    row.take(c, entrant.info, request, outcome);
     // Times before a failure count: the horizon may lie there.
     const std::size_t reached = outcome.states.size() / c.y0.size();
     const std::vector<double> seen(times.begin(),
@@ -77,8 +76,6 @@ std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant) 
     for (const judge::StopError& error : judge::Judge(c, seen).errors(outcome))
       errors.push_back(error.error_max);
     row.horizon = time_of_reaching(seen, errors, threshold);
-    row.status = to_string(outcome.status);
-    row.detail = outcome.detail;
     if (!std::isnan(row.horizon)) {
       row.status = to_string(Status::ok);
       row.detail.clear();

@@ -120,7 +120,7 @@ ElementsResult measure_orders(std::size_t most, const Runner& runner,
 }
 
 ElementsResult measure_elements(const Options& options, const Runner& runner) {
-  const auto most = static_cast<std::size_t>(options.number("most", 128));
+  const auto most = static_cast<std::size_t>(options.number(elements_divisions));
   std::istringstream words(options.word("problems"));
   const std::vector<std::string> problems(std::istream_iterator<std::string>(words), {});
   ElementsResult result = measure_orders(most, runner, problems);

@@ -139,9 +139,14 @@ ElementsResult measure_solvers(std::size_t most, const Runner& runner);
 /// Times on the finest mesh, one after the other.
 std::vector<ElementsTimeRow> time_solvers(std::size_t most);
 
+inline const Option elements_divisions =
+    whole_number("most", 16, 1024,
+                 "divisions of a unit length in the finest mesh, of which the largest power of two "
+                 "is taken",
+                 128);
+
 /// Own options: `problems`, globs on the ids of model problems separated by spaces, whose orders
-/// alone are measured; `most`, divisions of a unit length in the finest mesh, of which the largest
-/// power of two is taken, default: 128. Throws Interrupted.
+/// alone are measured, and elements_divisions. Throws Interrupted.
 ElementsResult measure_elements(const Options& options, const Runner& runner = Runner());
 
 }  // namespace odeum::study

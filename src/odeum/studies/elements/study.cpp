@@ -8,9 +8,7 @@ std::unique_ptr<Study> make_elements() {
        .help = "linear finite elements: error against mesh size, and linear solvers",
        .place = 78,
        .cases_help = "",
-       .options = {whole_number("most", 16, 1024,
-                                "divisions of a unit length in the finest mesh, of which the "
-                                "largest power of two is taken; default: 128")}},
+       .options = {elements_divisions}},
       {.measure = measure_elements});
 }
 

@@ -186,7 +186,7 @@ void add_cheapest(EvolutionResult& result, const Equation& equation, const Solve
 }  // namespace
 
 EvolutionResult measure_evolution(const Options& options, const Runner& runner) {
-  const auto most = static_cast<std::size_t>(options.number("most", 128));
+  const auto most = static_cast<std::size_t>(options.number(evolution_divisions));
   std::vector<Task> tasks;
   for (const Equation& equation : equations)
     for (std::size_t n = 4; n <= most; n *= 2) tasks.push_back({&equation, n});

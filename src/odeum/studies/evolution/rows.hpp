@@ -98,8 +98,11 @@ struct EvolutionResult {
   }
 };
 
-/// Own option `most`: divisions of the finest mesh, of which the largest power of two is taken;
-/// default: 128. Throws Interrupted.
+inline const Option evolution_divisions =
+    whole_number("most", 16, 512,
+                 "divisions of the finest mesh, of which the largest power of two is taken", 128);
+
+/// Own option: evolution_divisions. Throws Interrupted.
 EvolutionResult measure_evolution(const Options& options, const Runner& runner = Runner());
 /// Its parts that run on a coarse mesh: what is left of rough data, dispersion, explicit limits.
 EvolutionResult measure_modes();

@@ -9,9 +9,7 @@ std::unique_ptr<Study> make_evolution() {
                "the cheapest pair of both",
        .place = 79,
        .cases_help = "",
-       .options = {whole_number("most", 16, 512,
-                                "divisions of the finest mesh, of which the largest power of two "
-                                "is taken; default: 128")},
+       .options = {evolution_divisions},
        .figures = {{"rough_steps", rough_steps}, {"wave_divisions", wave_divisions}}},
       {.measure = measure_evolution});
 }

@@ -179,7 +179,7 @@ std::uint64_t fewest_bounded_steps(const std::function<bool(std::uint64_t)>& is_
 LimitsResult measure_limits(const Options& options, const Runner& runner) {
   std::vector<const Case*> cases;
   for (const Case* c : select_cases(options.cases))
-    if (!options.cases.empty() || c->has_tag("stiff")) cases.push_back(c);
+    if (!options.cases.empty() || c->nature.stiff) cases.push_back(c);
   std::map<const Case*, std::optional<StiffWindow>> windows;
   for (const Case* c : cases) windows[c];
   parallel_for(cases.size(), runner.jobs(),

@@ -9,7 +9,7 @@ namespace odeum::study {
 namespace {
 
 constexpr double gravity = 9.81, coarsest_stiffness = 200;  // m/s^2, N/m
-constexpr std::size_t coarsest = 6, finest = 96;
+constexpr std::size_t coarsest = coarsest_mesh;
 /// A sheet is at rest where no particle accelerates more than this part of gravity.
 constexpr double at_rest = 1e-5;
 constexpr int most_sheet_steps = 400'000, periods = 4;
@@ -195,7 +195,7 @@ MeshResult measure_mesh(const Options& options, const Runner& runner) {
     for (const char* springs : {"structural", "shear", "bend"})
       families.push_back({springs, scaling, springs != std::string("structural"),
                           springs == std::string("bend"), power});
-  const auto most = static_cast<std::size_t>(options.number("most", finest));
+  const auto most = static_cast<std::size_t>(options.number(finest_mesh));
   return runner.run(
       "mesh", families,
       [](const Family& family) { return std::string(family.springs) + ' ' + family.scaling; },

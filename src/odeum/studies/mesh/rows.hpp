@@ -42,8 +42,12 @@ struct MeshResult {
   static auto lists(auto& result) { return std::tie(result.rows); }
 };
 
-/// Equilibria by relaxation and periods by undamped runs of meshes of 6 x 6 to 96 x 96, each twice
-/// as fine as the one before (own option `most`: the finest). Throws Interrupted.
+inline constexpr int coarsest_mesh = 6;  ///< particles along an edge
+inline const Option finest_mesh =
+    whole_number("most", coarsest_mesh, 192, "particles along an edge of the finest", 96);
+
+/// Equilibria by relaxation and periods by undamped runs of meshes from the coarsest to the finest,
+/// each twice as fine as the one before. Throws Interrupted.
 MeshResult measure_mesh(const Options& options, const Runner& runner = Runner());
 
 }  // namespace odeum::study

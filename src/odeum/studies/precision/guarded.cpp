@@ -48,7 +48,6 @@ PrecisionRow blank_row(const TimedCase& stage, const SolverInfo& info, Mode mode
   auto row = named_row<PrecisionRow>(stage.c, info);
   row.mode = mode;
   row.jacobian = jacobian_of(stage.c);
-  row.setting = row.error = nan;
   return row;
 }
 
@@ -98,20 +97,13 @@ TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Reque
   const double start = thread_seconds();
   Outcome outcome = entrant.solve(request);
   trial.guarded_ns = 1e9 * (thread_seconds() - start);
-  trial.row.status = to_string(outcome.status);
-  trial.row.detail = outcome.detail;
-  trial.row.counters = outcome.counters;
+  trial.row.take(stage.c, entrant.info, request, outcome);
+  trial.status = outcome.status;
   if (!trial.ok()) return trial;
-  trial.row.error = 0;
   const std::vector<judge::StopError> errors = stage.judge.errors(outcome);
-  for (const judge::StopError& error : errors)
-    trial.row.error = std::max(trial.row.error, error.error_max);
-  trial.row.judged =
-      request.mode == Mode::fixed
-          ? judge::judge_fixed_answer(errors, stage.judge.scale())
-          : judge::judge_answer(errors, stage.amplification, request.tolerance.relative,
-                                static_cast<double>(outcome.counters.steps), stage.floor,
-                                stage.judge.scale());
+  trial.row.take_errors(errors);
+  trial.row.judged = measure::answer_of(request, outcome, errors, stage.amplification, stage.floor,
+                                        stage.judge.scale());
   if (trial.row.error <= stage.floor) trial.row.detail = "at the truth's floor";
   trial.states = std::move(outcome.states);
   return trial;

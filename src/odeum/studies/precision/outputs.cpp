@@ -20,14 +20,6 @@ std::vector<double> output_times(const TimedCase& stage) {
   return {times.begin(), times.end()};
 }
 
-/// The largest error at the outputs at which the truth is known.
-double largest_error(const judge::Judge& judge, const Outcome& outcome) {
-  double largest = 0;
-  for (const judge::StopError& error : judge.errors(outcome))
-    if (!std::isnan(error.error_max)) largest = std::max(largest, error.error_max);
-  return largest;
-}
-
 OutputRow run_both(const TimedCase& stage, const Entrant& entrant, const judge::Judge& judge,
                    Request request) {
   auto row = named_row<OutputRow>(stage.c, entrant.info);
@@ -40,7 +32,8 @@ OutputRow run_both(const TimedCase& stage, const Entrant& entrant, const judge::
     (between ? row.steps_between : row.steps_ends) = outcome.counters.steps;
     (between ? row.work_between : row.work_ends) = outcome.counters.work;
     if (outcome.status == Status::ok) {
-      (between ? row.error_between : row.error_ends) = largest_error(judge, outcome);
+      (between ? row.error_between : row.error_ends) =
+          judge::over_stops(judge.errors(outcome)).error_max;
     } else {
       row.status = to_string(outcome.status);
       row.detail = (between ? "between the steps: " : "at their ends: ") + outcome.detail;
@@ -57,7 +50,7 @@ std::vector<OutputRow> measure_outputs(const TimedCase& stage, const Options& op
   request.mode = Mode::adaptive;
   request.stops = output_times(stage);
   request.budget.evaluations = stage.c.settings.evaluation_budget;
-  request.budget.seconds = options.number("solve-seconds", 2);
+  request.budget.seconds = options.number(solve_seconds);
   set_tolerance(request, stage.c, 1e-6);
   std::vector<const Entrant*> entrants;
   for (const Entrant& entrant : stage.c.entrants)

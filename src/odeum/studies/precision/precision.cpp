@@ -28,8 +28,8 @@ std::vector<Variant> tunings_of(const Entrant& entrant) {
 /// their largest stable step may be fastest on stiff ones too.
 bool runs(const Case& c, const SolverInfo& info, Mode mode) {
   if (mode == Mode::adaptive) return info.adaptive;
-  const bool worth = c.settings.no_fixed_steps.empty() &&
-                     (c.y0.size() > dense_dimension_limit || !c.has_tag("stiff"));
+  const bool worth =
+      c.settings.no_fixed_steps.empty() && (c.y0.size() > dense_dimension_limit || !c.nature.stiff);
   return info.fixed && (!info.adaptive || worth);
 }
 
@@ -52,23 +52,23 @@ std::vector<PrecisionRow> measure_case(const TimedCase& stage, const Options& op
         for (const auto& tuning : tunings_of(entrant))
           solvers.push_back({&entrant, mode, same == inlined.end() ? nullptr : &*same, tuning});
   }
-  const double solve_seconds = options.number("solve-seconds", 2);
+  const double most_seconds = options.number(solve_seconds);
   parallel_for(solvers.size(), runner.jobs(),
-               [&](std::size_t i) { run_guarded(stage, solvers[i], solve_seconds); });
-  run_beyond_budget(stage, solvers, runner, solve_seconds);
+               [&](std::size_t i) { run_guarded(stage, solvers[i], most_seconds); });
+  run_beyond_budget(stage, solvers, runner, most_seconds);
 
   Conditions conditions;
-  for (int attempt = 0; attempt < options.number("attempts", 2); ++attempt) {
+  for (int attempt = 0; attempt < options.number(most_attempts); ++attempt) {
     for (TimedSolver& solver : solvers)
       for (TimedRun& trial : solver.trials) {
         trial.times.ns.clear();
         trial.done = false;
       }
     const ConditionsMeter meter;
-    time_all(stage, solvers, options.number("seconds", 4), runner.jobs());
+    time_all(stage, solvers, options.number(timed_seconds), runner.jobs());
     for (int more = 0; more < most_searches; ++more)
       if (settle_errors(stage, solvers, runner.jobs()))
-        time_all(stage, solvers, options.number("seconds", 4) / most_searches, runner.jobs());
+        time_all(stage, solvers, options.number(timed_seconds) / most_searches, runner.jobs());
     check_fastest(stage, solvers, runner.jobs());
     conditions = meter.end();
     if (!disturbed(conditions)) break;

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "odeum/judge/answer.hpp"
+#include "odeum/measure/run_record.hpp"
 #include "odeum/studies/stopwatch.hpp"
 #include "odeum/studies/study.hpp"
 
@@ -17,28 +17,20 @@ namespace odeum::study {
 /// of runs with the bare right-hand side, set-up included; of what cannot be the fastest, and whose
 /// guard costs next to nothing, the guarded run's processor time (timing.hpp). Conditions are those
 /// of the case's timed runs.
-struct PrecisionRow : WallTimes, Conditions {
-  std::string case_id, library, solver;
-  std::string status;  ///< a Status, or not_applicable
-  std::string detail;
-  Mode mode = Mode::adaptive;
-  double setting = 0;    ///< relative tolerance, or step
+struct PrecisionRow : measure::RunRecord, WallTimes, Conditions {
   std::string absolute;  ///< absolute tolerance, or those of all components; of a tolerance run
   std::string options;   ///< values given to the solver's own options: name=value, by spaces
   std::string jacobian;  ///< what the case offers to solvers that use df/dy, see jacobian_of
-  double error = 0;      ///< NaN where the solve failed
   /// The largest error at the neighbouring settings: steps 5 % more and, where the grid allows it,
   /// fewer; tolerances 1.25 times as large and as small. NaN where these were not run.
   double near_error = nan;
-  Counters counters;
   /// How the timed runs call it: `function pointer`, `inlined` (compiled into the solver), or
   /// `guarded`: the time is that of the run that gave the error.
   std::string right_hand_side = "function pointer";
   /// `with optimisation` or `without optimisation`; empty for what is compiled with the program.
   std::string library_compiled;
-  bool pareto = false;         ///< no other row is both faster and more accurate
-  std::string processor;       ///< its model; that of all rows of a case
-  judge::JudgedAnswer judged;  ///< of a run to a tolerance
+  bool pareto = false;    ///< no other row is both faster and more accurate
+  std::string processor;  ///< its model; that of all rows of a case
 
   bool timed() const { return repetitions > 0 && !std::isnan(error); }
 
@@ -88,23 +80,18 @@ struct PrecisionSummary {
 
 /// The fastest solver of one library at an error on a case, a run that was made and timed: a line
 /// of fastest.csv. Libraries that do not reach the error have none.
-struct FastestRow {
-  std::string case_id;
-  double error = 0;
-  std::string library, solver;
-  Mode mode = Mode::adaptive;
-  double setting = 0;   ///< tolerance or step
-  std::string options;  ///< as in PrecisionRow
-  double wall_ns_min = 0, wall_ns_median = 0;
-  double achieved = 0, near_error = 0;  ///< the errors of the run, as in PrecisionRow
-  std::uint64_t rhs_evaluations = 0, steps = 0;
+struct FastestRow : measure::RunRecord, WallTimes {
+  double compared = nan;  ///< the error that it reaches
+  std::string options;    ///< this and the next as in PrecisionRow
+  double near_error = nan;
 
   static constexpr const char* file = "fastest.csv";
   static constexpr int schema = 3;  ///< 2: options; 3: only runs that were made, their errors
   static constexpr bool compared_within_case = true;
-  ODEUM_COLUMNS(case_id, error, library, solver,
+  ODEUM_COLUMNS(case_id, column("error", compared), library, solver,
                 column("setting_kind", PhraseColumn{mode, "step", "tol"}), setting, options,
-                wall_ns_min, wall_ns_median, achieved, near_error, rhs_evaluations, steps)
+                wall_ns_min, wall_ns_median, column("achieved", error), near_error,
+                counters.rhs_evaluations, counters.steps)
 };
 
 /// A run to a tolerance with many outputs, made in two ways: with steps that end on each, and with
@@ -135,12 +122,21 @@ struct PrecisionResult {
   }
 };
 
+inline const Option timed_seconds{.name = "seconds",
+                                  .help = "what the timed runs of a case may take, roughly",
+                                  .least = 1e-3,
+                                  .otherwise = 4};
+inline const Option solve_seconds{.name = "solve-seconds",
+                                  .help = "a solve that takes longer is over budget",
+                                  .least = 1e-3,
+                                  .otherwise = 2};
+inline const Option most_attempts =
+    whole_number("attempts", 1, 100, "how often a case that other programs disturbed is timed", 2);
+
 /// Speed against error for every fitting pair. Timed runs go round robin over the solvers within a
 /// setting, on one pinned processor; a case during which the machine's own speed drifted by more
 /// than 5 %, or other programs had the processor for more than that, is timed once more, and marked
-/// where it is disturbed again. Own options: `seconds` bounds the timed runs of a case, roughly
-/// (4), `solve-seconds` a solve (2), `attempts` the timings of a disturbed case (2). Throws
-/// Interrupted.
+/// where it is disturbed again. Throws Interrupted.
 PrecisionResult measure_precision(const Options& options, const Runner& runner = Runner());
 
 /// What a case offers to solvers that use df/dy: `exact`, `products` (with a vector, exact), or

@@ -14,38 +14,35 @@ namespace odeum::study {
 namespace {
 
 /// The search for settings of one solver, by the errors of its guarded runs.
-class Search {
+class Settings {
  public:
-  Search(const TimedCase& stage, TimedSolver& solver) : stage_(stage), solver_(solver) {
+  Settings(const TimedCase& stage, TimedSolver& solver)
+      : stage_(stage),
+        solver_(solver),
+        search_{.grid = {solver.mode, stage.c.settings.steps_multiple, true},
+                .close = 1 / 1.3,
+                .coarser_least = 0.5,
+                .coarser_most = 0.5} {
     for (const TimedRun& trial : solver.trials)
       if (!std::isnan(trial.row.setting)) keep(trial);
   }
 
-  /// Bisects between the coarsest run that reaches the error and the next coarser one, which does
-  /// not, until a run has at least 1 / 1.3 of the error; where luck has a part in that, goes on
-  /// with finer settings. The run found joins the trials.
+  /// The coarsest setting that reaches the error with most of it, or where luck has a part in that
+  /// a finer one. The run found joins the trials.
   void settle(double error) {
-    double coarse = 0, fine = 0;
-    for (const auto& [fineness, found] : errors_) {
-      if (found <= error) {
-        fine = fineness;
-        break;
-      }
-      coarse = fineness;
+    constexpr int most_between = 5, most_finer = 5;
+    measure::SettingSearch::Bracket found = search_.bracket(error);
+    if (found.reaches < 0) return;
+    // The settings of the study begin where all methods do something: some do with fewer steps.
+    for (int between = 0; between < most_between; between += found.misses >= 0) {
+      const double fineness = search_.next(error);
+      if (fineness == 0) break;
+      error_at(fineness);
+      found = search_.bracket(error);
     }
-    if (fine == 0) return;
-    // The settings of the study begin where all methods do something: some can do with fewer steps.
-    while (coarse == 0 && error_at(fine) < error / 1.3) {
-      const double coarser = snapped(fine / 2);
-      if (!(coarser < fine && coarser >= coarsest())) break;
-      (error_at(coarser) <= error ? fine : coarse) = coarser;
-    }
-    for (int k = 0; k < most_bisections && coarse > 0 && errors_[fine] < error / 1.3; ++k) {
-      const double middle = between(coarse, fine, error);
-      if (!(middle > coarse && middle < fine)) break;
-      (error_at(middle) <= error ? fine : coarse) = middle;
-    }
-    for (int k = 0; k < most_finer; ++k, fine = snapped(fine * (fixed() ? 1.15 : 2))) {
+    double fine = search_.tried[static_cast<std::size_t>(found.reaches)].fineness;
+    const double factor = solver_.mode == Mode::fixed ? 1.15 : 2;
+    for (int k = 0; k < most_finer; ++k, fine = search_.grid.on_grid(fine * factor)) {
       if (!(error_at(fine) <= error)) continue;
       const double near = near_error(fine);
       if (near <= 2 * error) return accept(fine, near);
@@ -56,67 +53,51 @@ class Search {
   void check(TimedRun& trial) { trial.row.near_error = near_error(fineness_of(trial.request)); }
 
  private:
-  static constexpr int most_bisections = 5, most_finer = 5;
-
-  /// A step from stop to stop, or the loosest tolerance that asks for anything.
-  double coarsest() const {
-    return fixed() ? static_cast<double>(stage_.c.settings.steps_multiple) : 10;
+  void keep(const TimedRun& run) {
+    search_.tried.push_back({.fineness = fineness_of(run.request),
+                             .status = run.status,
+                             .error = run.row.error,
+                             .ns = run.guarded_ns});
   }
 
-  bool fixed() const { return solver_.mode == Mode::fixed; }
-
-  static double finite_error(const TimedRun& run) {
-    return std::isnan(run.row.error) ? infinity : run.row.error;
-  }
-  void keep(const TimedRun& run) { errors_[fineness_of(run.request)] = finite_error(run); }
-
-  /// The next setting that there is: steps on the grid of the stops, tolerances of two digits; one
-  /// that was run, but for rounding, is that one.
-  double snapped(double fineness) const {
-    const auto multiple = static_cast<double>(stage_.c.settings.steps_multiple);
-    const double next = fixed() ? std::ceil(fineness / multiple * (1 - 1e-12)) * multiple
-                                : 1 / of_two_digits(1 / fineness);
-    const auto known = errors_.lower_bound(next * (1 - 1e-9));
-    return known != errors_.end() && known->first <= next * (1 + 1e-9) ? known->first : next;
-  }
-
-  double between(double coarse, double fine, double error) const {
-    const double above = errors_.at(coarse), below = errors_.at(fine);
-    double part = 0.5;
-    if (std::isfinite(above))
-      part = std::clamp(std::log(above / (error / 1.15)) / std::log(above / below), 0.15, 0.85);
-    return snapped(coarse * std::pow(fine / coarse, part));
-  }
-
+  /// Infinite where the run failed.
   double error_at(double fineness) {
-    if (const auto known = errors_.find(fineness); known != errors_.end()) return known->second;
-    Request request = solver_.trials.front().request;
-    if (fixed())
-      request.steps = static_cast<std::uint64_t>(fineness);
-    else
-      set_tolerance(request, stage_.c, of_two_digits(1 / fineness));
-    TimedRun run = run_guarded(stage_, *solver_.entrant, request);
-    const double error = errors_[fineness] = finite_error(run);
-    runs_.emplace(fineness, std::move(run));
-    return error;
+    if (!search_.at(fineness)) {
+      Request request = solver_.trials.front().request;
+      if (request.mode == Mode::fixed)
+        request.steps = static_cast<std::uint64_t>(fineness);
+      else
+        set_tolerance(request, stage_.c, of_two_digits(1 / fineness));
+      TimedRun run = run_guarded(stage_, *solver_.entrant, request);
+      keep(run);
+      runs_.push_back(std::move(run));
+    }
+    const double error = search_.at(fineness)->error;
+    return std::isnan(error) ? infinity : error;
   }
 
   double near_error(double fineness) {
-    const double finer = fixed() ? std::max(snapped(1.05 * fineness), snapped(fineness + 0.5))
-                                 : snapped(1.25 * fineness);
-    const double coarser = fixed() ? 2 * fineness - finer : snapped(fineness / 1.25);
+    const measure::SettingGrid& grid = search_.grid;
+    const bool fixed = solver_.mode == Mode::fixed;
+    const double finer = fixed
+                             ? std::max(grid.on_grid(1.05 * fineness), grid.on_grid(fineness + 0.5))
+                             : grid.on_grid(1.25 * fineness);
+    const double coarser = fixed ? 2 * fineness - finer : 1 / of_two_digits(1.25 / fineness);
     const double error = error_at(finer);
     // Few steps have no neighbour that is near.
-    return fixed() && coarser < 0.9 * fineness ? error : std::max(error, error_at(coarser));
+    return fixed && coarser < 0.9 * fineness ? error : std::max(error, error_at(coarser));
   }
 
   void accept(double fineness, double near) {
     std::vector<TimedRun>& trials = solver_.trials;
+    const auto is_it = [&](const TimedRun& run) {
+      return std::abs(fineness_of(run.request) / fineness - 1) < 1e-9;
+    };
     auto at = std::ranges::find_if(trials, [&](const TimedRun& trial) {
       return fineness_of(trial.request) >= fineness * (1 - 1e-9);
     });
-    if (const auto made = runs_.find(fineness); made != runs_.end()) {
-      at = trials.insert(at, std::move(made->second));
+    if (const auto made = std::ranges::find_if(runs_, is_it); made != runs_.end()) {
+      at = trials.insert(at, std::move(*made));
       runs_.erase(made);
     }
     at->row.near_error = near;
@@ -124,8 +105,8 @@ class Search {
 
   const TimedCase& stage_;
   TimedSolver& solver_;
-  std::map<double, double> errors_;  ///< by fineness; infinite where a run failed
-  std::map<double, TimedRun> runs_;  ///< those that are not trials
+  measure::SettingSearch search_;
+  std::vector<TimedRun> runs_;  ///< those that are not trials
 };
 
 /// The time in which a solver seems to reach an error: that of a run, or between two runs, where
@@ -225,7 +206,7 @@ bool settle_errors(const TimedCase& stage, std::vector<TimedSolver>& solvers, un
   const std::vector<std::pair<std::size_t, std::vector<double>>> list(tasks.begin(), tasks.end());
   parallel_for(list.size(), jobs, [&](std::size_t k) {
     const auto& [i, errors] = list[k];
-    Search search(stage, solvers[i]);
+    Settings search(stage, solvers[i]);
     for (const double error : errors) {
       search.settle(error);
       solvers[i].searched.insert(error);
@@ -241,7 +222,7 @@ void check_fastest(const TimedCase& stage, std::vector<TimedSolver>& solvers, un
       if (!(error > stage.floor)) continue;
       for (auto [solver, trial] = unchecked(solvers, libraries[k], error); trial;
            std::tie(solver, trial) = unchecked(solvers, libraries[k], error))
-        Search(stage, *solver).check(*trial);
+        Settings(stage, *solver).check(*trial);
     }
   });
 }

@@ -53,9 +53,7 @@ std::vector<FastestRow> fastest(const std::vector<PrecisionRow>& rows, double fl
             !known || row.wall_ns_min < known->wall_ns_min)
           known = &row;
     for (const auto& [library, row] : best)
-      list.push_back({row->case_id, error, library, row->solver, row->mode, row->setting,
-                      row->options, row->wall_ns_min, row->wall_ns_median, row->error,
-                      row->near_error, row->counters.rhs_evaluations, row->counters.steps});
+      list.push_back({*row, *row, error, row->options, row->near_error});
   }
   return list;
 }
@@ -77,7 +75,7 @@ std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, d
     line.error = error;
     const FastestRow *own = nullptr, *peer = nullptr;
     for (const FastestRow& row : best) {
-      if (row.error != error) continue;
+      if (row.compared != error) continue;
       const FastestRow*& side = row.library == "odeum" ? own : peer;
       if (!side || row.wall_ns_min < side->wall_ns_min) side = &row;
     }

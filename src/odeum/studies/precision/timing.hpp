@@ -6,6 +6,7 @@
 
 #include "odeum/judge/amplification.hpp"
 #include "odeum/judge/errors.hpp"
+#include "odeum/measure/setting_search.hpp"
 #include "odeum/solvers/variants.hpp"
 #include "odeum/studies/precision/precision.hpp"
 #include "odeum/studies/stopwatch.hpp"
@@ -18,6 +19,7 @@ namespace odeum::study {
 struct TimedRun {
   PrecisionRow row;
   Request request;
+  Status status = Status::ok;  ///< of the guarded run
   std::vector<double> states;
   double guarded_ns = 0;           ///< processor time of the guarded run
   bool cannot_be_fastest = false;  ///< see mark_slow_solvers
@@ -25,7 +27,7 @@ struct TimedRun {
   bool done = false;               ///< timed by an earlier call of time_all
   Times times;
 
-  bool ok() const { return row.status == to_string(Status::ok); }
+  bool ok() const { return row.ok(); }
   /// What the guard takes of the guarded run: 4 ns an evaluation.
   double guard_ns() const { return 4.0 * static_cast<double>(row.counters.rhs_evaluations); }
   /// Whether the guarded run is long enough for one measurement.
