@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "odeum/cases/catalogue.hpp"
+#include "odeum/cases/kinds/sbml/sbml.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/formula/cache.hpp"
@@ -24,6 +25,10 @@ void add_doctor(CLI::App& app) {
     const std::string fmi = fmi_support();
     text += fmt::format("{:<10} {}\n", "fmi",
                         fmi.empty() ? "not built in; configure with -DODEUM_WITH_FMI=ON" : fmi);
+    const std::string sbml = cases::sbml_support();
+    text +=
+        fmt::format("{:<10} {}\n", "sbml",
+                    sbml.empty() ? "not built in; scripts/bootstrap --with sbml builds it" : sbml);
     const formula::CacheFolder cache = formula::find_cache_folder();
     text +=
         fmt::format("cache      {}\n", cache.path.empty() ? "none: " + cache.problem : cache.path);

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cases/kinds/kind.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
 #include <filesystem>
 
+#include "odeum/cases/text_case.hpp"
+#include "odeum/formula/cache.hpp"
 #include "odeum/input/text_file.hpp"
 
 namespace odeum::cases {
@@ -38,6 +44,15 @@ bool is_problem_text(const Named& named) {
   } catch (const InputError&) {
     return false;
   }
+}
+
+ReadProblem translated(const Named& named, const Given& given,
+                       const std::function<std::string(double end)>& text) {
+  constexpr double usual_end = 10;
+  const std::string made = text(std::isnan(given.span.until) ? usual_end : given.span.until);
+  // Errors in it have places of its own.
+  return {text_statements(named.word() + " (as a text)", made, given.id, given.set, given.span),
+          fmt::format("{} {}", formula::content_key(made), given.set)};
 }
 
 const Kind* kind_of(const Named& named) {

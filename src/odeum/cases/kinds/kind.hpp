@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -65,6 +66,11 @@ const Kind* kind_of(const Named& named);
 bool is_problem_text(const Named& named);
 /// The text of a problem's file. Throws InputError.
 const std::string& problem_text(const Named& named);
+inline constexpr std::size_t most_model_bytes = 64'000'000;
+/// The cases of a model in another format, from the text that `text` makes of it for an end, of
+/// which such models name none: that of `given`, or 10.
+ReadProblem translated(const Named& named, const Given& given,
+                       const std::function<std::string(double end)>& text);
 /// The text of a scene: its file's, or a built-in one. Throws InputError.
 const std::string& scene_text(const Named& named, std::size_t most_bytes,
                               const std::string& raise = "");

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "odeum/cases/kinds/sbml/sbml.hpp"
+#include "odeum/input/yaml_tree.hpp"
+#include "sbml/translation.hpp"
+
+namespace odeum {
+namespace adapters::sbml {
+namespace {
+
+/// Throws for a text that may have entities, before a library reads it: SBML has none.
+void require_plain(const std::string& file, const std::string& xml) {
+  const auto fail = [&](std::size_t at, const std::string& what) {
+    const auto line = static_cast<std::size_t>(
+        std::count(xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+    throw InputError(file, {line + 1, 1}, what);
+  };
+  if (const std::size_t zero = xml.find('\0'); zero != std::string::npos)
+    fail(zero, "not UTF-8; got a zero byte, expected the text of an SBML model");
+  for (const char* const word : {"<!DOCTYPE", "<!ENTITY"})
+    if (const std::size_t at = xml.find(word); at != std::string::npos)
+      fail(at, fmt::format("a declaration of entities; got {}, expected none: SBML has no entities",
+                           word));
+}
+
+/// Throws for the first error that libsbml finds.
+void require_valid(const std::string& file, const SBMLDocument& document) {
+  for (unsigned k = 0; k < document.getNumErrors(); ++k) {
+    const SBMLError& error = *document.getError(k);
+    if (error.getSeverity() < LIBSBML_SEV_ERROR) continue;
+    std::string what = error.getMessage();
+    what = what.substr(0, what.find('\n'));
+    throw InputError(file, {std::max(1U, error.getLine()), std::max(1U, error.getColumn())},
+                     fmt::format("not valid SBML: {} (rule {} of SBML: {})",
+                                 error.getShortMessage(), error.getErrorId(), shown(what)));
+  }
+}
+
+void require_core(const std::string& file, SBMLDocument& document) {
+  if (document.getLevel() < 2)
+    throw InputError(file, {}, "SBML level 1; got it, expected level 2 or 3");
+  const XMLNamespaces* const spaces = document.getNamespaces();
+  for (int k = 0; spaces && k < spaces->getNumNamespaces(); ++k) {
+    const std::string uri = spaces->getURI(k), prefix = spaces->getPrefix(k);
+    if (uri.find("sbml.org/sbml/level3") == std::string::npos || prefix.empty() ||
+        uri.find("/core") != std::string::npos)
+      continue;
+    if (document.isSetPkgRequired(prefix) ? document.getPkgRequired(prefix)
+                                          : document.getPackageRequired(prefix))
+      throw InputError(
+          file, {},
+          fmt::format("the package {} of SBML is not supported; got a model that needs "
+                      "it, expected one of SBML core",
+                      prefix));
+  }
+}
+
+}  // namespace
+}  // namespace adapters::sbml
+
+std::string cases::sbml_support() {
+  return fmt::format("levels 2 and 3, by libsbml {}", getLibSBMLDottedVersion());
+}
+
+cases::SbmlText cases::text_of_sbml(const std::string& file, const std::string& xml, double end) {
+  using namespace adapters::sbml;
+  require_plain(file, xml);
+  const std::unique_ptr<SBMLDocument> document(readSBMLFromString(xml.c_str()));
+  require_valid(file, *document);
+  const Model* const model = document->getModel();
+  if (!model) throw InputError(file, {}, "no model; got none, expected one in <sbml>");
+  require_core(file, *document);
+  SbmlText result;
+  try {
+    result.text = Translation(*model).text(end);
+  } catch (const ElementError& error) {
+    throw InputError(file, {std::max(1U, error.line()), std::max(1U, error.column())},
+                     fmt::format("not supported: {}", error.what()));
+  } catch (const Unsupported& error) {
+    throw InputError(file, {}, fmt::format("not supported: {}", error.what()));
+  }
+  if (model->getNumConstraints() > 0)
+    result.warnings.push_back(fmt::format("{}: constraints are not watched", file));
+  return result;
+}
+
+}  // namespace odeum
