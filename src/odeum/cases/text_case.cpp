@@ -12,6 +12,7 @@
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/set_problem.hpp"
 #include "odeum/cases/study_steps.hpp"
+#include "odeum/cases/text_events.hpp"
 #include "odeum/cases/text_facts.hpp"
 #include "odeum/cases/text_family.hpp"
 #include "odeum/cases/text_switches.hpp"
@@ -81,7 +82,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
       case_.parameters.push_back({name, value, meaning ? scalar(*meaning->value, name) : ""});
     }
     if (offered_.empty()) return;
-    case_.family = TextFamilies{source_};
+    if (problem_.events.empty()) case_.family = TextFamilies{source_};
     // What stays as it is keeps all digits of the file.
     case_.with_values = [file = file_, source = source_,
                          now = case_.parameters](const Values& values) {
@@ -142,8 +143,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
                        formula::implicit_form(problem_)};
       add_invariants(problem_, case_);
     }
-    case_.problem.switches = switches_of(problem_);
-    if (!file_.printed || case_.problem.switches) case_.entrants = enroll(case_.problem);
+    if (take_changes(problem_, case_) || !file_.printed) case_.entrants = enroll(case_.problem);
     const formula::Structure& s = analysis_->structure;
     case_.nature.linear = s.linear, case_.nature.autonomous = s.autonomous;
     if (s.second_order && offers.second_order) {
@@ -204,7 +204,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
   /// The truth keeps what the text states as kept.
   void hold_invariants(Case& c) {
     std::vector<long double> y(c.y0.size());
-    for (const double stop : truth_.stops)
+    for (const double stop : c.problem.events ? std::vector<double>{} : truth_.stops)
       if (truth_.extended(stop, y.data())) formula::require_invariants(problem_, stop, y.data());
     if (!ode_) return;
     c.extended = std::make_shared<const ExtendedProblem>(

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "odeum/cases/text_events.hpp"
 #include "odeum/formula/evaluator.hpp"
 
 namespace odeum::cases {
@@ -59,6 +60,7 @@ Facts text_facts(const formula::Problem& p, const formula::Analysis& analysis,
   if (c.nature.stiff) facts.emplace_back("found", "stiff: explicit methods need many more steps");
   if (const std::string switches = switches_in_words(c); !switches.empty())
     facts.emplace_back("switches", switches);
+  if (c.problem.events) facts.emplace_back("events", events_in_words(c.problem.events.get()));
   if (p.kinetic_energy != formula::no_node) {
     facts.emplace_back("mass", p.mass_text);
     facts.emplace_back("kinetic", kinetic_energies(p, truth));

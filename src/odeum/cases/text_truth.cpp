@@ -30,7 +30,7 @@ std::string content_of(const formula::Problem& problem, const formula::Analysis&
   std::string content = formula::print_c(problem, analysis);
   content += fmt::format("\n{}", problem.t0);
   for (const Real y : problem.y0) content += fmt::format(" {:.21Lg}", y);
-  return content;
+  return content + problem.events_text;
 }
 
 /// The place of a time in a reference, which was computed from the same problem: a time that
@@ -186,6 +186,7 @@ TextTruth truth_of(const std::shared_ptr<const TextOde>& ode, const ErrorUnits& 
 
 std::string proof_of(const formula::Problem& problem, const formula::Analysis& analysis,
                      const Case& c) {
+  if (!problem.events.empty()) return "";  // an enclosure goes along the equations alone
   truth::Claim claim{.times = c.stops, .at = c.truth.at, .floors = {}, .units = c.units};
   for (std::size_t i = 0; i < problem.states.size(); ++i) claim.floors.push_back(c.floor_of(i));
   std::string content = content_of(problem, analysis);

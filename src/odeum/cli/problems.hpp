@@ -34,6 +34,9 @@ Case case_before_truth(Session& session, const cases::Named& what, const Problem
 Case case_of(Session& session, const std::string& what, const ProblemOptions& options,
              const std::function<void(Case&)>& before_truth = {});
 
+/// Throws UsageError where the case has events, across which that command does not look.
+void require_no_events(const Case& c, const std::string& command);
+
 /// Throws UsageError where a case was chosen of what is not a problem's file.
 void require_no_choice(const std::string& what, const std::string& chosen);
 

@@ -14,6 +14,7 @@
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/standard_streams.hpp"
 #include "odeum/input/yaml_tree.hpp"
+#include "odeum/problem/events.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/report/text.hpp"
@@ -86,6 +87,22 @@ Truth truth_of(const Case& c, const std::vector<CaseRun>& runs) {
   return truth::truth_at(c, {times.begin(), times.end()});
 }
 
+std::string events_text(const Events& events, const Outcome& outcome) {
+  constexpr std::size_t most = 12;
+  const std::size_t count = outcome.events.size();
+  std::string text = fmt::format("events  {}", count);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (count > most && k == most - 1) {
+      text += ", ...";
+      k = count - 1;
+    }
+    const EventMet& met = outcome.events[k];
+    text += fmt::format("{}{} at t = {}", k == 0 ? ": " : ", ", events.names[met.event],
+                        record::format_number(met.t));
+  }
+  return text + "\n";
+}
+
 std::string describe(const Case& c, const CaseRun& run, const RunRow& row) {
   const Outcome& outcome = run.outcome;
   const double end = run.request.stops.back();
@@ -105,6 +122,7 @@ std::string describe(const Case& c, const CaseRun& run, const RunRow& row) {
   text += fmt::format("status  {}{}{}\n", to_string(outcome.status),
                       outcome.detail.empty() ? "" : ": ", outcome.detail);
   text += "cost    " + cost_text(outcome.counters) + "\n";
+  if (c.problem.events) text += events_text(*c.problem.events, outcome);
   if (outcome.status != Status::ok) return text;
   const std::size_t n = c.y0.size();
   if (n <= 8) {
@@ -211,6 +229,7 @@ std::vector<CaseRun> runs_of(const Case& c, const RunOptions& options) {
 int print_code(const Case& c, const RunOptions& options) {
   require_solver_and_setting(options);
   if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
+  require_no_events(c, "--code");
   const Entrant& entrant = find_entrant(c.entrants, c.id, options.solvers.front());
   print(code_of(c, struct_of(c, entrant.info), entrant,
                 make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info)));
@@ -260,7 +279,7 @@ int run_case(Session& session, const cases::Named& what, const RunOptions& given
   for (const CaseRun& run : runs) {
     const RunRow& row = all.rows.emplace_back(row_of(c, run));
     say(describe(c, run, row));
-    if (run.outcome.status != Status::ok) say(why_text(c, run, options));
+    if (run.outcome.status != Status::ok && !c.problem.events) say(why_text(c, run, options));
     any_close = any_close || (row.ok() && !row.diverged);
   }
   if (folder) say(write_files(*folder, c, runs, options, from_file));

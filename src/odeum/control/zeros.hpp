@@ -79,9 +79,9 @@ struct ZeroFit {
   double slope = 0;          ///< the least difference of two coefficients, 0: they go up and down
   double error = 0;          ///< how far the function may be from it
   double largest = 0;        ///< of the values
-  bool noise = false;        ///< the values are no smooth function
+  bool noise = false;        ///< the values are not those of a smooth function
   bool excludes() const { return low > error || high < -error; }
-  /// By Markov's inequality for a polynomial of degree 9.
+  /// The bound of a derivative is Markov's, for a polynomial of degree 9.
   bool monotone() const { return slope > 20 * error; }
 };
 
@@ -153,16 +153,27 @@ class ZeroSearch {
  public:
   /// `at_zero`: the run begins at a zero, whatever rounding left of it, and the function's sign is
   /// that to which it leaves.
-  void begin(bool at_zero = false) { at_zero_ = at_zero, fresh_ = true, flat_ = false; }
+  void begin(bool at_zero = false) {
+    before_ = 0;
+    fresh_ = true;
+    flat_ = false;
+    side_known_ = at_zero;
+  }
+  /// The run begins beside a zero on a known side, 1 or -1: to leave it for the other is a zero.
+  void begin_beside(int side) {
+    begin(true);
+    before_ = side;
+  }
 
   /// The zeros of g in (a, b], where its values at the ends are ga and gb: found(Zero) of each in
   /// its order, until that returns true. g may return NaN where it has no value. Does not allocate.
   template <class G, class Found>
   bool operator()(G&& g, double a, double ga, double b, double gb, Found&& found) {
-    if (fresh_) before_ = at_zero_ ? 0 : ga;
-    const double none_until = fresh_ ? a + 64 * std::numeric_limits<double>::epsilon() *
-                                               std::max(std::abs(a), std::abs(b))
-                                     : a - 1;
+    const bool unknown = fresh_ && !side_known_;
+    if (unknown) before_ = ga;
+    const double none_until = unknown ? a + 64 * std::numeric_limits<double>::epsilon() *
+                                                std::max(std::abs(a), std::abs(b))
+                                      : a - 1;
     fresh_ = false;
     const auto later = [&](const Zero& zero) { return zero.t > none_until && found(zero); };
     std::array<Part, most_depth + 2> parts{};
@@ -242,7 +253,7 @@ class ZeroSearch {
 
   double before_ = 0;  ///< the last value that is not zero to within rounding, or 0
   double flat_from_ = 0, flat_value_ = 0, flat_to_ = 0;
-  bool at_zero_ = false, fresh_ = true, flat_ = false;
+  bool side_known_ = false, fresh_ = true, flat_ = false;
 };
 
 }  // namespace odeum

@@ -42,6 +42,13 @@ inline bool is_finite(const double* y, std::size_t n) {
   return sum == 0;
 }
 
+/// An event of a run: which one of the problem's, and the states before and after.
+struct EventMet {
+  double t;
+  std::size_t event;
+  std::vector<double> before, after;
+};
+
 /// The result of a solve. `states` holds the state at each stop reached, one after the other.
 struct Outcome {
   Status status = Status::ok;
@@ -49,6 +56,7 @@ struct Outcome {
   double t = std::numeric_limits<double>::quiet_NaN();  ///< time reached
   std::vector<double> states;
   std::vector<double> step_ends;  ///< where Request::record_steps asks for them
+  std::vector<EventMet> events;  ///< in their order
   Counters counters;
 
   /// Record the state at a stop; y has n doubles.

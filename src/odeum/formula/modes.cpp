@@ -126,8 +126,13 @@ Mode mode_of(const Problem& problem, const Signs& signs,
   p.t0 = problem.t0;
   p.stops = problem.stops;
   Selection selection(problem.graph, signs, constant);
-  p.equations = selection.select(p.graph, problem.equations);
-  for (const auto& [id, condition] : selection.conditions(problem.equations)) {
+  std::vector<Id> roots = problem.equations;
+  for (const std::size_t k : crossed_events(problem)) roots.push_back(problem.events[k].when);
+  p.equations = selection.select(p.graph, roots);
+  const auto first = p.equations.begin() + static_cast<std::ptrdiff_t>(problem.equations.size());
+  mode.events.assign(first, p.equations.end());
+  p.equations.erase(first, p.equations.end());
+  for (const auto& [id, condition] : selection.conditions(roots)) {
     mode.signs[id] = selection.sign_of(id);
     mode.ids.push_back(id);
     mode.switches.push_back(condition);

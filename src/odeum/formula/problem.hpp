@@ -6,6 +6,7 @@
 
 #include "odeum/core/tolerance.hpp"
 #include "odeum/formula/evaluator.hpp"
+#include "odeum/formula/event.hpp"
 #include "odeum/formula/graph.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
@@ -52,6 +53,8 @@ struct Problem {
   std::string equations_text;
   Id kinetic_energy = no_node;  ///< v M v / 2 where the file has a mass matrix M
   std::string mass_text;        ///< M, for people
+  std::vector<Event> events;
+  std::string events_text;  ///< all that they depend on, as text
   /// R(t, y, y') = 0 where not all rates could be solved for, one for each state, constraints among
   /// them, with the rates as the states from first_rate on (formula/reduction.hpp); empty: none.
   std::vector<Id> residuals;
@@ -73,7 +76,7 @@ enum class Parameters { numbers, names };
 /// a later one, residuals that are too few, of an index above 1, or that the start does not fulfil,
 /// what the limits of formula/parser.hpp exclude, an equation that is not finite at the start, an
 /// `exact` that does not fulfil the equations or the initial values, an invariant that changes at
-/// the start.
+/// the start, an event that does nothing, or two that contradict each other.
 Problem read_problem(const std::string& file, const std::string& text,
                      const Overrides& overrides = {}, Parameters kind = Parameters::numbers);
 /// The text of a problem file. Throws InputError for a file that cannot be read or is too large.

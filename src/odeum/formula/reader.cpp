@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view known_keys[] = {
     "name",     "parameters", "definitions", "states",    "equations",    "boundaries", "time",
     "exact",    "invariants", "scale",       "tolerance", "mass",         "residuals",  "rates",
-    "implicit", "case",       "cases",       "reactions", "compartments", "outputs"};
+    "implicit", "case",       "cases",       "reactions", "compartments", "outputs",    "events"};
 
 }  // namespace
 
@@ -46,6 +46,7 @@ Problem Reader::read() {
     read_equations(all);
   read_implicit(all);
   read_mass(all);
+  read_events(all);
   read_exact();
   read_invariants(all);
   read_outputs(all);

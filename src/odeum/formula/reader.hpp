@@ -157,6 +157,12 @@ class Reader : Source {
   /// `residual 2` or `residuals 1 and 2 together`.
   std::string name_of(const std::set<std::size_t>& residuals) const;
   Place place_of_residual(std::size_t residual) const;
+  /// What happens at times, or where expressions cross zero: reader_events.cpp.
+  void read_events(const Scope& scope);
+  Event read_event(const YamlNode& node, std::size_t place, const Scope& scope);
+  void read_times(const std::vector<Item>& all, const std::string& path, Event& event);
+  void read_resets(const Item& set, const std::string& path, const Scope& scope, Event& event);
+  void require_order() const;
   void read_exact();
   void read_invariants(const Scope& scope);
   /// Quantities for columns of their own: a mapping, or a list of definitions.

@@ -128,7 +128,7 @@ Recording::Recording(const Case& c, double t0, const std::vector<double>& y0)
     };
   }
   entrants_ = cases::enroll({view, log_, t0, std::make_shared<const std::vector<double>>(y0),
-                             contest.scene, implicit, contest.switches});
+                             contest.scene, implicit, contest.switches, contest.events});
 }
 
 std::pair<double, double> Run::around(double t) const {

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "odeum/solvers/event_run.hpp"
+
 namespace odeum {
 namespace {
 
@@ -24,6 +26,7 @@ ErasedContest contest_of(const ErasedContest& all, const std::shared_ptr<const P
                          double t0, const std::vector<double>& y0) {
   ErasedContest contest = all;
   contest.switches = {};
+  contest.events = nullptr;
   contest.view = piece->view();
   contest.keep_alive = piece;
   contest.t0 = t0;
@@ -120,6 +123,19 @@ class RunInPieces {
 
 Entrant enrolled(const Solver& solver, const ErasedContest& contest) {
   Entrant entrant = whole(solver, contest);
+  if (contest.events && entrant.solve) {
+    entrant.extended = {};
+    entrant.solve = [solver, contest](const Request& request) {
+      const SegmentRun segment = [&](double first, double last, double t0,
+                                     const std::vector<double>& y0, const Request& part) {
+        const auto piece = std::make_shared<const Piece>(contest.view, first, last);
+        const Entrant entrant = whole(solver, contest_of(contest, piece, t0, y0));
+        return entrant.solve ? entrant.solve(part) : refused(entrant.unfit);
+      };
+      return run_with_events(contest, request, segment);
+    };
+    return entrant;
+  }
   if (!contest.switches || !entrant.solve) return entrant;
   entrant.solve = [solver, contest, alone = std::move(entrant.solve)](const Request& request) {
     if (request.mode == Mode::fixed || request.stops.empty()) return alone(request);

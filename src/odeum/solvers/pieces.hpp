@@ -7,7 +7,8 @@ namespace odeum {
 /// The solver on the problem. A run to a tolerance is made in pieces between the switches of the
 /// contest, each begun anew from the end of the one before, as users of a library make it: a jump
 /// in t alone costs no method its order, and no run steps over a pulse that its equations name.
-/// Runs at a fixed step take t = t0 + i h as ever.
+/// Runs at a fixed step take t = t0 + i h as ever. On a contest with events runs go from event to
+/// event, see event_run.hpp.
 Entrant enrolled(const Solver& solver, const ErasedContest& contest);
 
 }  // namespace odeum

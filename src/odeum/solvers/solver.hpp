@@ -17,6 +17,7 @@
 
 namespace odeum {
 
+struct Events;
 namespace scene {
 struct Scene;
 }
@@ -90,6 +91,7 @@ struct ErasedContest {
   std::shared_ptr<const ImplicitForm> implicit = nullptr;
   /// The switches in [from, to], ascending; empty: the problem names none.
   std::function<std::vector<Switch>(double from, double to)> switches = {};
+  std::shared_ptr<const Events> events = nullptr;  ///< null: nothing happens to the solution
 };
 
 template <Ode P>

@@ -78,6 +78,7 @@ Outcome solve_with_outputs(const Entrant& entrant, const Request& request) {
   outcome.t = alone.t;
   outcome.counters = alone.counters;
   outcome.step_ends = std::move(alone.step_ends);
+  outcome.events = std::move(alone.events);
   return outcome;
 }
 
@@ -123,8 +124,13 @@ record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
   for (const CaseRun& run : runs) {
     const SolverInfo& info = run.entrant->info;
     add(info.library, info.method, c.t0, c.y0.data(), 0);
+    auto event = run.outcome.events.begin();
     for (std::size_t k = 0; k < run.reached(n); ++k) {
       const double t = run.request.stops[k], *const y = run.outcome.states.data() + k * n;
+      for (; event != run.outcome.events.end() && event->t <= t; ++event) {
+        add(info.library, info.method, event->t, event->before.data(), nan);
+        if (event->t < t) add(info.library, info.method, event->t, event->after.data(), nan);
+      }
       add(info.library, info.method, t, y, judge::error_of(c, y, exact_at(c, t).data()));
     }
   }

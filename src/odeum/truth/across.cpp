@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 
+#include "odeum/truth/events_along.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::truth {
@@ -53,8 +56,8 @@ System later(System s, Real origin) {
   // Moves a function of the time, the state, and perhaps more.
   const auto move = [origin](auto& function) {
     if (function)
-      function = [function, origin](Real t, const Real* y, auto... more) {
-        return function(origin + t, y, more...);
+      function = [function, origin](Real t, auto&&... more) {
+        return function(origin + t, std::forward<decltype(more)>(more)...);
       };
   };
   move(s.rhs);
@@ -75,6 +78,13 @@ System later(System s, Real origin) {
       return mode;
     };
   for (Real& t : s.switches) t -= origin;
+  if (s.events) {
+    auto events = std::make_shared<Happenings>(*s.events);
+    for (Real& t : events->times) t -= origin;
+    move(events->values);
+    move(events->apply);
+    s.events = std::move(events);
+  }
   s.t0 -= origin;
   s.origin += origin;
   return s;
@@ -116,6 +126,9 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
   const Real span = times.back() - system.t0;
   std::vector<Real> left = times;
   std::shared_ptr<System> before;  // up to a named switch at t
+  EventsAlong events(system, times, moved);
+  if (const auto mode = system.events ? system.mode_at(t, y, span, moved) : nullptr)
+    if (!events.at_time(*mode, t, y, whole)) return whole;
   for (int at_once = 0; !left.empty();) {
     const std::shared_ptr<System> mode = system.mode_at(t, y, span, moved);
     if (!mode || at_once > most_at_once) {
@@ -126,6 +139,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
       if (!mode) whole.slides_from = system.origin + t;
       return whole;
     }
+    if (!events.settles(*mode, t, y, whole)) return whole;
     if (before) {
       if (whole.unsure.empty()) whole.sure = whole.states.size();
       add_rounding(*before, *mode, t, y, whole.unsure);
@@ -135,7 +149,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
     mode->y0 = y;
     mode->along = system.along;
     const auto next = std::ranges::upper_bound(system.switches, t);
-    const bool to_switch = next != system.switches.end() && *next < left.back();
+    const bool to_switch = next != system.switches.end() && *next <= left.back();
     const auto last = to_switch ? std::ranges::lower_bound(left, *next) : left.end();
     std::vector<Real> until(left.begin(), last);
     if (to_switch) until.push_back(*next);
@@ -151,6 +165,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
     std::move(part.states.begin(), part.states.end(), std::back_inserter(whole.states));
     if (before) {
       at_once = 0;
+      if (!events.at_time(*mode, t, y, whole)) return whole;
       continue;
     }
     if (!part.changed) {
@@ -161,6 +176,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
     at_once = part.changed->first - t > 0x1p-38L * span ? 0 : at_once + 1;
     t = part.changed->first;
     y = std::move(part.changed->second);
+    if (!events.cross(*mode, t, y, whole)) return whole;
   }
   return whole;
 }

@@ -251,6 +251,7 @@ class Search {
         r.end = fmt::format("from t = {:.6Lg} on, rounding leaves too few digits", times_[k]);
         break;
       }
+      if (std::ranges::find(best.a.ambiguous, k) != best.a.ambiguous.end()) continue;
       r.known_until = static_cast<double>(times_[k]);
       r.times.push_back(r.known_until);
       r.states.push_back(y);

@@ -53,6 +53,20 @@ class Watched;
 /// Part of itself, see System::moved_rhs and Effort::disturb.
 inline constexpr Real moved_by = 0x1p-40L;
 
+/// What happens to a solution at times, and where functions of it cross zero.
+struct Happenings {
+  State times;              ///< of the former, ascending
+  std::vector<int> senses;  ///< by function: 1 rising, -1 falling, 0 either
+  /// The functions, on constants that are moved or not.
+  std::function<void(Real t, const Real* y, Real* values, bool moved)> values;
+  /// Gives y the values after the events of these functions, or those of time number `timed`
+  /// (times.size(): none). A sentence where they contradict each other, else empty; `stops`: the
+  /// solution stays as it is from then on.
+  std::function<std::string(Real t, const std::vector<std::size_t>& functions, std::size_t timed,
+                            State& y, bool moved, bool& stops)>
+      apply;
+};
+
 /// An initial value problem in extended precision. Times and states are in the problem's units; y,
 /// f and State have `states` numbers. `states`, `y0` and `rhs` are required. `entries` comes with
 /// `sparsity` and in place of `jacobian`, `moved_rhs` with `moved_y0`, `mode_at` with `moved_y0`
@@ -85,6 +99,10 @@ struct System {
   std::function<std::shared_ptr<System>(Real t, const State& y, Real span, bool moved)> mode_at;
   /// Times, ascending, at which steps end, since one mode ends and another one begins there.
   State switches;
+  /// With `mode_at`: events, whose times are among the switches; null: there are none.
+  std::shared_ptr<const Happenings> events;
+  /// The signs that a mode's functions of events have as long as it holds.
+  std::vector<int> sides;
   std::function<Real(Real t, const Real* y)> holds;
   /// The right-hand side of which this is a mode; empty: it is not a mode.
   std::function<void(Real t, const Real* y, Real* f)> whole_rhs;
@@ -133,6 +151,8 @@ struct Run {
   State unsure;
   std::size_t sure = 0;  ///< how many of the first states are not moved by that
   State peaks;           ///< the largest of each component
+  /// The numbers of the times so close to an event that rounding decides on which side they are.
+  std::vector<std::size_t> ambiguous;
 };
 
 using Moment = std::chrono::steady_clock::time_point;

@@ -2,6 +2,7 @@
 #include "odeum/truth/text_system.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -14,6 +15,7 @@
 #include "odeum/formula/modes.hpp"
 #include "odeum/formula/switch_times.hpp"
 #include "odeum/linear/ordering.hpp"
+#include "odeum/truth/text_happenings.hpp"
 #include "odeum/truth/text_insight.hpp"
 
 namespace odeum::truth {
@@ -26,14 +28,6 @@ using formula::TextOde;
 double narrowest_band(const Sparsity& pattern) {
   const linear::Band band = linear::band_of(pattern, linear::reverse_cuthill_mckee(pattern));
   return static_cast<double>(band.lower * band.upper);
-}
-
-/// Numbers of few binary digits are exact.
-Real moved(Real c) {
-  constexpr Real few = 0x1p24L;
-  const bool exact = c == 0 || std::ldexp(few, std::ilogb(c)) == 0 ||
-                     std::remainder(c, std::ldexp(1 / few, std::ilogb(c))) == 0;
-  return exact ? c : c * (1 + moved_by);
 }
 
 /// A text without kinks, and its derivatives.
@@ -104,7 +98,8 @@ class Modes {
       if (!chosen) break;
     }
     if (!chosen || has_become_zero(chosen->mode, t)) return nullptr;
-    auto system = system_of_part(*chosen, t);
+    auto system =
+        system_of_part(*chosen, t, sides_of(*chosen, t, y, std::min(span * 0x1p-40L, left / 4)));
     constexpr Real none = std::numeric_limits<Real>::infinity(), aside = 1 - 0x1p-60L;
     const bool begins = later != named_.times.begin() && t - *std::prev(later) <= rounding;
     keep_between(begins ? t + rounding / 8 : -none,
@@ -114,6 +109,7 @@ class Modes {
 
  private:
   struct Part {
+    std::vector<std::array<Id, 2>> events;  ///< the expressions, and the same negated
     formula::Mode mode;
     std::shared_ptr<const TextOde> ode;
     std::shared_ptr<const formula::Evaluator<Real>> conditions;
@@ -202,6 +198,8 @@ class Modes {
         else
           part.positive.push_back(mode.held(k));
       }
+      for (const Id event : mode.events)
+        part.events.push_back({event, mode.problem.graph.make(formula::Op::negate, event)});
       part.mode = mode;
       part.ode =
           std::make_shared<const TextOde>(std::move(mode.problem), TextOde::Code::interpreted);
@@ -221,18 +219,34 @@ class Modes {
     }
     return y;
   }
-  std::shared_ptr<System> system_of_part(const Part& part, Real t) const {
+  /// The signs of the expressions of events a while after t.
+  static std::vector<int> sides_of(const Part& part, Real t, const State& y, Real after) {
+    State values(part.events.size());
+    if (values.empty()) return {};
+    const State next = short_way(part, t, y, after);
+    formula::Evaluator<Real>(part.ode->problem().graph, part.mode.events)(t + after, next.data(),
+                                                                          values.data());
+    std::vector<int> sides;
+    for (const Real value : values)
+      sides.push_back(static_cast<int>(value > 0) - static_cast<int>(value < 0));
+    return sides;
+  }
+  std::shared_ptr<System> system_of_part(const Part& part, Real t, std::vector<int> sides) const {
     auto system = std::make_shared<System>(smooth_system(part.ode));
     system->work *= 5;  // interpreted
-    std::vector<Id> all = part.positive;
+    std::vector<Id> positive = part.positive;
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      if (sides[k] != 0) positive.push_back(part.events[k][sides[k] > 0 ? 0 : 1]);
+    system->sides = std::move(sides);
+    std::vector<Id> all = positive;
     all.insert(all.end(), part.zero.begin(), part.zero.end());
     system->whole_rhs = [ode = ode_](Real at, const Real* y, Real* f) {
       ode->rhs_extended(at, y, f);
     };
     const auto holds =
         std::make_shared<const formula::Evaluator<Real>>(part.ode->problem().graph, all);
-    system->holds = [holds, positive = part.positive.size(), count = all.size()](Real at,
-                                                                                 const Real* y) {
+    system->holds = [holds, positive = positive.size(), count = all.size()](Real at,
+                                                                            const Real* y) {
       State values(count);
       (*holds)(at, y, values.data());
       Real least = 1;
@@ -242,8 +256,8 @@ class Modes {
                                                  : -std::abs(values[k]));
       return least;
     };
-    system->insight = [ode = part.ode, whole = ode_, positive = part.positive,
-                       holds = system->holds, t](Real span) {
+    system->insight = [ode = part.ode, whole = ode_, positive, holds = system->holds,
+                       t](Real span) {
       return std::make_unique<TextInsight>(ode, whole, positive, holds, t, span);
     };
     return system;
@@ -264,9 +278,11 @@ System system_of(const std::shared_ptr<const TextOde>& ode) {
   System system = smooth_system(ode);
   const formula::Problem& problem = ode->problem();
   for (const Real y : problem.y0) system.moved_y0.push_back(moved(y));
-  if (!system.smooth) {
+  if (!system.smooth || !problem.events.empty()) {
+    system.smooth = false;
     formula::SwitchTimes named = formula::switch_times(problem, problem.stops.back());
     system.switches = named.times;
+    add_happenings(problem, system);
     const auto modes = std::make_shared<Modes>(ode, std::move(named));
     system.mode_at = [modes](Real t, const State& y, Real span, bool is_moved) {
       return modes->at(t, y, span, is_moved);

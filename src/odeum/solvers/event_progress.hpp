@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "odeum/problem/events.hpp"
+#include "odeum/solvers/event_finder.hpp"
+#include "odeum/solvers/solver.hpp"
+
+namespace odeum {
+
+using PartRun = std::function<Outcome(double t0, const std::vector<double>& y0, const Request&)>;
+
+inline bool same_time(double a, double b) {
+  constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
+  return std::isfinite(a - b) && std::abs(a - b) <= roundings * std::max(std::abs(a), std::abs(b));
+}
+
+/// What has been made of a run: the time and the state, the states at the stops passed, the events.
+class EventProgress {
+ public:
+  EventProgress(const ErasedContest& contest, const Request& request)
+      : contest_(contest),
+        events_(*contest.events),
+        request_(request),
+        begin_(std::chrono::steady_clock::now()),
+        end_(request.stops.back()),
+        t_(contest.t0),
+        y_(*contest.y0) {
+    all_.t = t_;
+  }
+
+ protected:
+  /// A stop that is the same time but for rounding: no library makes a step between the two.
+  double at_stop(double t) const {
+    if (same_time(t, t_)) return t_;
+    const auto stop =
+        std::ranges::find_if(request_.stops, [&](double s) { return same_time(s, t); });
+    return stop != request_.stops.end() ? *stop : std::min(t, end_);
+  }
+  /// The request for the part from t_ to `end`; `steps` at a fixed step.
+  Request part_to(double end, std::uint64_t steps) const {
+    Request part = request_;
+    part.steps = steps;
+    std::erase_if(part.stops, [&](double stop) { return stop <= t_ || stop > end; });
+    if (part.stops.empty() || part.stops.back() < end) part.stops.push_back(end);
+    limit(part);
+    return part;
+  }
+  void limit(Request& part) const {
+    part.budget.evaluations -= std::min(part.budget.evaluations, spent_);
+    part.budget.seconds -=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+  Outcome tried(const PartRun& run, const std::vector<double>& y0, double t0,
+                const Request& request) {
+    Outcome outcome = run(t0, y0, request);
+    spent_ += outcome.counters.work;
+    return outcome;
+  }
+
+  void take(Outcome part, double end) {
+    const std::size_t n = y_.size();
+    all_.counters += part.counters;
+    all_.step_ends.insert(all_.step_ends.end(), part.step_ends.begin(), part.step_ends.end());
+    if (all_.detail.empty() || part.status != Status::ok) all_.detail = std::move(part.detail);
+    all_.status = part.status;
+    if (std::isfinite(part.t)) all_.t = part.t;
+    go_on_ = part.status == Status::ok;
+    if (go_on_) {
+      y_.assign(part.states.end() - static_cast<std::ptrdiff_t>(n), part.states.end());
+      if (!std::ranges::binary_search(request_.stops, end))
+        part.states.resize(part.states.size() - n);
+      t_ = end;
+    }
+    all_.states.insert(all_.states.end(), part.states.begin(), part.states.end());
+  }
+
+  /// Events at t_. Their times are told from those before by what state events there were.
+  void happen(const std::vector<std::size_t>& events) {
+    const std::vector<double> before = y_;
+    const std::string fault = events_.apply(t_, events, y_.data());
+    if (!fault.empty()) return fail(Status::refused, fault);
+    bool stops = false;
+    for (const std::size_t event : events) {
+      all_.events.push_back({t_, event, before, y_});
+      stops = stops || events_.stops[event];
+    }
+    // A state at the time of an event is that after it.
+    const std::size_t n = y_.size(), reached = all_.states.size() / n;
+    if (reached > 0 && request_.stops[reached - 1] == t_)
+      std::ranges::copy(y_, all_.states.end() - static_cast<std::ptrdiff_t>(n));
+    if (!stops) return;
+    go_on_ = false;
+    all_.detail = fmt::format("an event ({}) ends it at t = {:.9g}; later states are the one there",
+                              events_.names[events.back()], t_);
+    for (std::size_t k = reached; k < request_.stops.size(); ++k)
+      all_.record(request_.stops[k], y_.data(), n);
+  }
+  void happen_at(const EventFinder::Found& found) {
+    std::vector<std::size_t> events;
+    for (const std::size_t k : found.functions) events.push_back(events_.crossed[k].event);
+    last_gap_ = crossings_.empty() ? 0 : t_ - crossings_.back();
+    crossings_.push_back(t_);
+    happen(events);
+    if (go_on_) require_way();
+  }
+  /// Events without end in a finite time (Zeno), or one that calls the other (chattering).
+  void require_way() {
+    constexpr std::size_t many = 32;
+    constexpr double little = 1e-9;
+    if (crossings_.size() <= many) return;
+    const double since = crossings_[crossings_.size() - 1 - many];
+    if (t_ - since > little * (end_ - contest_.t0)) return;
+    fail(Status::step_too_small,
+         fmt::format("events follow one another ever faster: {} of them from t = {:.9g} to {:.9g}, "
+                     "and the run makes no way beyond (chattering, or infinitely many in a finite "
+                     "time)",
+                     many, since, t_));
+  }
+  void fail(Status status, std::string why) {
+    go_on_ = false;
+    all_.status = status;
+    all_.detail = std::move(why);
+  }
+
+  const ErasedContest& contest_;
+  const Events& events_;
+  const Request& request_;
+  std::chrono::steady_clock::time_point begin_;
+  double end_, t_;
+  std::vector<double> y_;
+  Outcome all_;
+  bool go_on_ = true;
+  std::uint64_t spent_ = 0;
+  std::vector<double> crossings_;
+  double last_gap_ = 0;
+};
+
+}  // namespace odeum

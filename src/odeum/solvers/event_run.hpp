@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "odeum/problem/events.hpp"
+#include "odeum/solvers/solver.hpp"
+
+namespace odeum {
+
+/// Runs a solver from (t0, y0) as the request says, on the form of the problem that holds between
+/// two times, see Piece.
+using SegmentRun = std::function<Outcome(double first, double last, double t0,
+                                         const std::vector<double>& y0, const Request& request)>;
+
+/// A run from event to event, the same for every solver: each part begins anew where the one before
+/// ended, by the solver's own means, and has nothing of the events. Where a function crosses zero
+/// is found in the states that a run gives within each of its steps, by the polynomial through nine
+/// of them (control/zeros.hpp); then the part is made up to there. To a tolerance that costs about
+/// two more runs of a part, which the counts leave out. At a fixed step the states are those of one
+/// step from where the step began, and the run goes on with a shorter step to the next time of its
+/// grid. A state at the time of an event is that after it. Where an event stops the run, later
+/// states are that at its end. Events that follow one another ever faster end the run with a
+/// status.
+Outcome run_with_events(const ErasedContest& contest, const Request& request,
+                        const SegmentRun& segment);
+
+}  // namespace odeum

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Events of a text: what is refused, runs of own methods and peers, and the truth, against closed
+// forms.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "odeum/cases/set_problem.hpp"
+#include "odeum/cases/text_events.hpp"
+#include "odeum/cases/text_truth.hpp"
+#include "odeum/formula/text_ode.hpp"
+
+namespace odeum::tests::text_events_test {
+namespace {
+
+using formula::TextOde;
+
+struct HybridText {
+  explicit HybridText(const std::string& text)
+      : problem(formula::read_problem("events.yaml", text)),
+        ode(std::make_shared<TextOde>(problem, TextOde::Code::interpreted)),
+        contest{ode->view(), ode, static_cast<double>(problem.t0),
+                std::make_shared<const std::vector<double>>(problem.y0.begin(), problem.y0.end()),
+                nullptr} {
+    contest.events = cases::events_of(problem);
+  }
+  Outcome run(const std::string& solver, double tolerance) const {
+    Request request;
+    request.mode = Mode::adaptive;
+    request.tolerance = tolerance;
+    request.stops = problem.stops;
+    return cases::enroll(contest).find(solver)->solve(request);
+  }
+  Outcome run_fixed(const std::string& solver, std::uint64_t steps) const {
+    Request request;
+    request.steps = steps;
+    request.stops = problem.stops;
+    return cases::enroll(contest).find(solver)->solve(request);
+  }
+
+  formula::Problem problem;
+  std::shared_ptr<TextOde> ode;
+  ErasedContest contest;
+};
+
+const char* const ball = R"text(
+parameters: {g: 10, r: 0.7}
+states: {h: 0.2, v: 0}
+equations: {h: v, v: -g}
+time: {end: 0.9}
+events:
+  - {when: h, falling: true, set: {h: 0, v: -r*v}}
+)text";
+/// Falls 0.2 in 0.2, and bounces after 0.28, 0.196, ...
+double height_of_ball(double t) {
+  double hit = 0.2, speed = 2;
+  if (t < hit) return 0.2 - 5 * t * t;
+  for (;;) {
+    speed *= 0.7;
+    const double flight = speed / 5;
+    if (t < hit + flight) return (t - hit) * (speed - 5 * (t - hit));
+    hit += flight;
+  }
+}
+
+const char* const doses = R"text(
+parameters: {k: 0.3}
+states: {c: 5}
+equations: {c: -k*c}
+time: {end: 30, stops: [6, 7, 14, 30]}
+events:
+  - {at: 6, every: 8, until: 22, set: {c: c + 5}}
+)text";
+double concentration(double t) {
+  double c = 5 * std::exp(-0.3 * t);
+  for (const double at : {6, 14, 22})
+    if (t >= at) c += 5 * std::exp(-0.3 * (t - at));
+  return c;
+}
+
+const char* const thermostat = R"text(
+states: {x: 20, u: 1}
+equations: {x: -0.1*(x - 10) + 2*u, u: 0}
+time: {end: 60}
+events:
+  - {when: x - 22, rising: true, set: {u: 0}}
+  - {when: x - 19, falling: true, set: {u: 1}}
+)text";
+double temperature(double t) {
+  double from = 20, begin = 0;
+  for (bool on = true;; on = !on) {
+    const double rest = on ? 30 : 10, to = on ? 22 : 19;
+    const double until = begin + 10 * std::log((rest - from) / (rest - to));
+    if (t < until) return rest + (from - rest) * std::exp(-0.1 * (t - begin));
+    begin = until, from = to;
+  }
+}
+
+const char* const neuron = R"text(
+states: {v: 0}
+equations: {v: (20 - v)/10}
+time: {end: 100}
+events:
+  - {when: v - 15, rising: true, set: {v: 0}}
+)text";
+double potential(double t) {
+  const double period = 10 * std::log(4.0);
+  return 20 - 20 * std::exp(-std::fmod(t, period) / 10);
+}
+
+struct ClosedForm {
+  const char* name;
+  const char* text;
+  double (*first)(double t);  ///< its first component
+  std::size_t events;
+};
+const ClosedForm closed_forms[] = {{"ball", ball, height_of_ball, 4},
+                                   {"doses", doses, concentration, 3},
+                                   {"thermostat", thermostat, temperature, 20},
+                                   {"neuron", neuron, potential, 7}};
+
+TEST(TextEvents, RunsOfOwnMethodsAndPeersFollowClosedForms) {
+  std::vector<std::string> solvers{"odeum/dormand_prince54",     "odeum/bogacki_shampine32",
+                                   "odeum/radau_iia_variable",   "odeum/bdf_variable",
+                                   "odeum/gragg_bulirsch_stoer", "odeum/rodas4"};
+  for (const char* peer : {"cvode/bdf", "cvode/adams", "gsl/rk8pd", "gsl/msbdf",
+                           "odeint/runge_kutta_dopri5", "odeint/rosenbrock4"})
+    for (const Solver& solver : all_solvers())
+      if (solver.info.id() == peer) solvers.emplace_back(peer);
+  for (const ClosedForm& form : closed_forms) {
+    const HybridText text(form.text);
+    for (const std::string& solver : solvers) {
+      SCOPED_TRACE(fmt::format("{} {}", form.name, solver));
+      const Outcome outcome = text.run(solver, 1e-8);
+      ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+      EXPECT_EQ(outcome.events.size(), form.events);
+      const std::size_t n = text.problem.states.size();
+      ASSERT_EQ(outcome.states.size(), n * text.problem.stops.size());
+      // The tolerance times the number of steps, and of states and slopes of some tens.
+      for (std::size_t k = 0; k < text.problem.stops.size(); ++k)
+        EXPECT_NEAR(outcome.states[k * n], form.first(text.problem.stops[k]), 2e-5);
+    }
+  }
+}
+
+TEST(TextEvents, FixedStepsKeepTheirOrder) {
+  for (const ClosedForm& form : closed_forms)
+    for (const char* solver : {"odeum/rk4", "odeum/midpoint", "odeum/implicit_midpoint"}) {
+      SCOPED_TRACE(fmt::format("{} {}", form.name, solver));
+      const HybridText text(form.text);
+      const std::size_t n = text.problem.states.size(), last = text.problem.stops.size() - 1;
+      const auto error = [&](std::uint64_t steps) {
+        const Outcome outcome = text.run_fixed(solver, steps);
+        EXPECT_EQ(outcome.status, Status::ok) << outcome.detail;
+        EXPECT_EQ(outcome.events.size(), form.events);
+        return std::abs(outcome.states[last * n] - form.first(text.problem.stops[last]));
+      };
+      const double coarse = error(300), fine = error(1200);
+      const double order = solver == std::string("odeum/rk4") ? 4 : 2;
+      // The last event may fall anywhere within a step: half an order of scatter over a factor
+      // of 4.
+      EXPECT_LT(fine, std::max(coarse * std::pow(4.0, -(order - 0.5)), 1e-11));
+    }
+}
+
+TEST(TextEvents, TruthsClaimNoWrongDigit) {
+  for (const ClosedForm& form : closed_forms) {
+    SCOPED_TRACE(form.name);
+    const HybridText text(form.text);
+    const cases::TextTruth truth = cases::truth_of(text.ode);
+    EXPECT_EQ(truth.stops, text.problem.stops) << truth.words;
+    std::vector<long double> y(text.problem.states.size());
+    for (const double t : text.problem.stops) {
+      ASSERT_TRUE(truth.extended(t, y.data())) << truth.words;
+      // The closed forms are computed in double.
+      EXPECT_NEAR(static_cast<double>(y[0]), form.first(t), truth.extended_floor + 2e-14);
+    }
+    EXPECT_LT(truth.extended_floor, 1e-12) << truth.words;
+  }
+}
+
+TEST(TextEvents, OrderOfWhatHappensAtOnceAndValuesFromThoseBefore) {
+  const HybridText text(R"text(
+states: {x: 1, y: 2, z: 0}
+equations: {x: 0, y: 0, z: 1}
+time: {end: 4, stops: [1, 2, 4]}
+events:
+  - {at: 1, set: {x: y, y: x}}
+  - {at: 2, set: {x: x + 1}, order: 2}
+  - {at: 2, set: {x: 10*x}, order: 1}
+  - {when: z - 3, set: {z: z + 1, x: x + z}}
+)text");
+  const Outcome outcome = text.run("odeum/dormand_prince54", 1e-10);
+  ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+  const std::vector<double> expected{2, 1, 1, 21, 1, 2, 24, 1, 5};
+  for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(outcome.states[k], expected[k], 1e-8) << k;
+}
+
+TEST(TextEvents, OneThatStopsHoldsTheState) {
+  const HybridText text(R"text(
+states: {x: 1}
+equations: {x: -x}
+time: {end: 3, stops: [0.5, 1, 3]}
+events:
+  - {when: x - 0.5, falling: true, stop: true}
+)text");
+  const Outcome outcome = text.run("odeum/dormand_prince54", 1e-9);
+  ASSERT_EQ(outcome.states.size(), 3U) << outcome.detail;
+  EXPECT_EQ(outcome.status, Status::ok);
+  EXPECT_NEAR(outcome.states[2], 0.5, 1e-8);
+  EXPECT_NEAR(outcome.events.at(0).t, std::log(2.0), 1e-8);
+  const cases::TextTruth truth = cases::truth_of(text.ode);
+  std::vector<long double> y(1);
+  ASSERT_TRUE(truth.extended(3, y.data())) << truth.words;
+  EXPECT_NEAR(static_cast<double>(y[0]), 0.5, 1e-15);
+}
+
+TEST(TextEvents, WithoutEndInAFiniteTimeAndChatteringEndWithASentence) {
+  // The ball rests at t = 0.2 + 0.28 / 0.3.
+  const HybridText rests(std::string(ball).replace(std::string(ball).find("0.9}"), 4, "2}"));
+  const HybridText chatters(R"text(
+states: {x: 1, u: -1}
+equations: {x: u, u: 0}
+time: {end: 3}
+events:
+  - {when: x, falling: true, set: {u: 1}}
+  - {when: x, rising: true, set: {u: -1}}
+)text");
+  for (const HybridText* text : {&rests, &chatters})
+    for (const char* solver : {"odeum/dormand_prince54", "odeum/radau_iia5"}) {
+      const Outcome outcome = text->run(solver, 1e-6);
+      EXPECT_EQ(outcome.status, Status::step_too_small);
+      EXPECT_NE(outcome.detail.find("ever faster"), std::string::npos) << outcome.detail;
+    }
+  const cases::TextTruth truth = cases::truth_of(rests.ode);
+  EXPECT_LT(truth.known_until, 0.2 + 0.28 / 0.3);
+  EXPECT_GE(truth.known_until, 1.0) << truth.words;
+  EXPECT_LE(cases::truth_of(chatters.ode).known_until, 1.0);
+}
+
+TEST(TextEvents, ThoseThatAreNotSoundAreRefusedWithTheirPlace) {
+  const std::pair<const char*, const char*> bad[] = {
+      {"- {when: x, falling: true}", "6:5: events[1]: got one that sets nothing and does not stop"},
+      {"- {when: x, set: {z: 1}}", "6:22: events[1]: set: no state; got 'z'"},
+      {"- {set: {x: 1}}", "6:5: events[1]: got neither when nor at"},
+      {"- {when: x, at: 1, set: {x: 1}}", "6:5: events[1]: got both when and at"},
+      {"- {at: 1, set: {x: 1}}\n  - {at: 1, set: {x: 2}}",
+       "7:5: events[2]: two events set x at one time"},
+      {"- {when: x, set: {x: 1}}\n  - {when: x, rising: true, set: {x: 2}}",
+       "7:5: events[2]: two events set x at one time"},
+      {"- {at: 1, every: 0, set: {x: 1}}", "6:23: events[1]: every: got 0"},
+      {"- {at: 1, until: 2, set: {x: 1}}", "6:15: events[1]: until: got one without `every`"},
+      {"- {at: -1, set: {x: 1}}", "6:11: events[1]: at: before the start"},
+      {"- {when: x, every: 1, set: {x: 1}}", "6:17: events[1]: every: got one beside `when`"},
+      {"- {when: 1 + 1, set: {x: 1}}", "6:14: events[1]: when: got a constant"},
+      {"- {when: x, rising: yes, set: {x: 1}}", "6:25: events[1]: rising: got 'yes'"},
+      {"- {when: x, set: {x: q}}", "6:26: "},
+      {"- {when: x, sat: {x: 1}}", "6:17: events[1]"},
+      {"- {when: x, order: 1.5, set: {x: 1}}", "6:24: events[1]: order: got 1.5"}};
+  for (const auto& [event, message] : bad) {
+    const std::string text = fmt::format(
+        "# events\nstates: {{x: 1}}\nequations: {{x: -x}}\ntime: {{end: 3}}\nevents:\n  {}\n",
+        event);
+    try {
+      formula::read_problem("f.yaml", text);
+      ADD_FAILURE() << event;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(fmt::format("f.yaml:{}", message), 0), 0U)
+          << error.what();
+    }
+  }
+}
+
+TEST(TextEvents, AValueThatIsNotFiniteEndsARun) {
+  const HybridText text(R"text(
+states: {x: 1}
+equations: {x: -1}
+time: {end: 3}
+events:
+  - {when: x, falling: true, set: {x: log(x - 1)}}
+)text");
+  const Outcome outcome = text.run("odeum/dormand_prince54", 1e-6);
+  EXPECT_EQ(outcome.status, Status::refused);
+  EXPECT_NE(outcome.detail.find("not finite"), std::string::npos) << outcome.detail;
+}
+
+}  // namespace
+}  // namespace odeum::tests::text_events_test
