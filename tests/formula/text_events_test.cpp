@@ -197,6 +197,30 @@ events:
   for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(outcome.states[k], expected[k], 1e-8) << k;
 }
 
+TEST(TextEvents, AllRootsOfACubicWithinOneStep) {
+  for (const double start : {-100.0, -7.0, -5.9, 0.0}) {
+    const HybridText text(fmt::format(R"text(
+states: {{y: {0}, n: 0}}
+equations: {{y: 3*t^2 + 12*t - 4, n: 0}}
+time: {{start: {1}, end: 10}}
+events:
+  - {{when: y, set: {{n: n + 1}}}}
+)text",
+                                      fmt::format("({0} + 6)*({0} + 2)*({0} - 2)", start), start));
+    std::vector<double> roots;
+    for (const double root : {-6, -2, 2})
+      if (root > start) roots.push_back(root);
+    for (const char* solver : {"odeum/dormand_prince54", "odeum/dormand_prince853",
+                               "odeum/gragg_bulirsch_stoer", "odeum/radau_iia5"}) {
+      const Outcome outcome = text.run(solver, 1e-8);
+      ASSERT_EQ(outcome.events.size(), roots.size()) << solver << " from " << start;
+      // A height of 1e6 at the start has its rounding and 1e-8 of it as its tolerance.
+      for (std::size_t k = 0; k < roots.size(); ++k)
+        EXPECT_NEAR(outcome.events[k].t, roots[k], 1e-7) << solver;
+    }
+  }
+}
+
 TEST(TextEvents, OneThatStopsHoldsTheState) {
   const HybridText text(R"text(
 states: {x: 1}
@@ -242,22 +266,23 @@ events:
 TEST(TextEvents, ThoseThatAreNotSoundAreRefusedWithTheirPlace) {
   const std::pair<const char*, const char*> bad[] = {
       {"- {when: x, falling: true}", "6:5: events[1]: got one that sets nothing and does not stop"},
-      {"- {when: x, set: {z: 1}}", "6:22: events[1]: set: no state; got 'z'"},
+      {"- {when: x, set: {z: 1}}", "6:21: events[1]: set: no state; got z"},
       {"- {set: {x: 1}}", "6:5: events[1]: got neither when nor at"},
       {"- {when: x, at: 1, set: {x: 1}}", "6:5: events[1]: got both when and at"},
       {"- {at: 1, set: {x: 1}}\n  - {at: 1, set: {x: 2}}",
        "7:5: events[2]: two events set x at one time"},
       {"- {when: x, set: {x: 1}}\n  - {when: x, rising: true, set: {x: 2}}",
        "7:5: events[2]: two events set x at one time"},
-      {"- {at: 1, every: 0, set: {x: 1}}", "6:23: events[1]: every: got 0"},
-      {"- {at: 1, until: 2, set: {x: 1}}", "6:15: events[1]: until: got one without `every`"},
-      {"- {at: -1, set: {x: 1}}", "6:11: events[1]: at: before the start"},
-      {"- {when: x, every: 1, set: {x: 1}}", "6:17: events[1]: every: got one beside `when`"},
-      {"- {when: 1 + 1, set: {x: 1}}", "6:14: events[1]: when: got a constant"},
-      {"- {when: x, rising: yes, set: {x: 1}}", "6:25: events[1]: rising: got 'yes'"},
-      {"- {when: x, set: {x: q}}", "6:26: "},
-      {"- {when: x, sat: {x: 1}}", "6:17: events[1]"},
-      {"- {when: x, order: 1.5, set: {x: 1}}", "6:24: events[1]: order: got 1.5"}};
+      {"- {at: 1, every: 0, set: {x: 1}}", "6:20: events[1]: every: got 0"},
+      {"- {at: 1, until: 2, set: {x: 1}}", "6:13: events[1]: until: got one without `every`"},
+      {"- {at: -1, set: {x: 1}}", "6:10: events[1]: at: before the start"},
+      {"- {when: x, every: 1, set: {x: 1}}", "6:15: events[1]: every: got one beside `when`"},
+      {"- {when: 1 + 1, set: {x: 1}}", "6:12: events[1]: when: got a constant"},
+      {"- {when: x, rising: yes, set: {x: 1}}", "6:23: events[1]: rising: got yes"},
+      {"- {when: x, set: {x: q}}", "6:24: events[1]: set: x: unknown name; got q"},
+      {"- {when: x, sat: {x: 1}}", "6:15: events[1].sat: an unknown key"},
+      {"- {when: x, set: {x: 1}}\nexact: {x: exp(-t)}", "7:1: exact: got this beside events"},
+      {"- {when: x, order: 1.5, set: {x: 1}}", "6:22: events[1]: order: got 1.5"}};
   for (const auto& [event, message] : bad) {
     const std::string text = fmt::format(
         "# events\nstates: {{x: 1}}\nequations: {{x: -x}}\ntime: {{end: 3}}\nevents:\n  {}\n",

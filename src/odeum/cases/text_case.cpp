@@ -59,7 +59,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
       take_truth(c);
       cut_stops(c, truth_.stops);
     }
-    if (!truth_.words.empty()) hold_invariants(c);
+    if (!truth_.words.empty() && !c.problem.events) hold_invariants(c);
     if (!file_.folder.empty()) prove(ode_ ? ode_->problem() : problem_, *analysis_, c, truth_);
     choose_settings(c);
     set_facts(c);
@@ -204,7 +204,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
   /// The truth keeps what the text states as kept.
   void hold_invariants(Case& c) {
     std::vector<long double> y(c.y0.size());
-    for (const double stop : c.problem.events ? std::vector<double>{} : truth_.stops)
+    for (const double stop : truth_.stops)
       if (truth_.extended(stop, y.data())) formula::require_invariants(problem_, stop, y.data());
     if (!ode_) return;
     c.extended = std::make_shared<const ExtendedProblem>(

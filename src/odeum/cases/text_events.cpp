@@ -46,6 +46,7 @@ bool take_changes(const formula::Problem& problem, Case& c) {
   if (!c.problem.events) return static_cast<bool>(c.problem.switches);
   c.invariants.clear();
   c.energy = {};
+  c.extended = nullptr;
   return true;
 }
 

@@ -150,9 +150,10 @@ std::vector<std::string> load_problems(Session& session, const ProblemOptions& o
 
 void require_no_events(const Case& c, const std::string& command) {
   if (c.problem.events)
-    throw UsageError("{}: {} has events, across which it does not look yet; run, converge, "
-                     "precision and sweep do",
-                     command, c.id);
+    throw UsageError(
+        "{}: {} has events, across which it does not look yet; run, converge, "
+        "precision and sweep do",
+        command, c.id);
 }
 
 report::Facts facts_for(const Session& session, const std::vector<const Case*>& cases,

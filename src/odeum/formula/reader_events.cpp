@@ -40,8 +40,12 @@ void Reader::read_events(const Scope& scope) {
          "events: got {}, expected a list: `- {{when: x, falling: true, set: {{v: -v}}}}` or `- "
          "{{at: 1, every: 2, until: 9, set: {{x: x + 1}}}}`",
          list->value->kind_name());
-  if (section("residuals"))
-    fail(list->key_place, "events: residuals in the same file; got both, expected equations");
+  for (const char* key : {"residuals", "exact", "invariants"})
+    if (const Item* const other = section(key))
+      fail(other->key_place,
+           "{}: got this beside events, across which it does not hold, expected "
+           "one of the two",
+           key);
   for (const auto& item : list->value->items)
     problem_.events.push_back(read_event(*item, problem_.events.size() + 1, scope));
   require_order();

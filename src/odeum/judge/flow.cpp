@@ -39,7 +39,7 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
             const std::vector<double>& y, const std::vector<double>& stops, std::uint64_t budget,
             std::vector<double>* times) {
   // An autonomous problem starts at time 0, where short first steps are not lost in rounding.
-  const double shift = c.problem.view.time_derivative ? 0 : start;
+  const double shift = c.problem.view.time_derivative || c.problem.events ? 0 : start;
   Request request;
   request.mode = Mode::adaptive;
   request.tolerance = tolerance.requested(tolerance.relative);

@@ -85,7 +85,7 @@ std::vector<std::string> broken_sums(const Case& c, const Request& request, cons
 
 std::vector<std::vector<double>> linear_invariants(const Case& c) {
   const std::size_t n = c.y0.size();
-  if (n < 2 || n > most_unknowns || !c.problem.view.rhs) return {};
+  if (n < 2 || n > most_unknowns || !c.problem.view.rhs || c.problem.events) return {};
   const Eigen::MatrixXd slopes = sampled_slopes(c);
   if (slopes.rows() < 2 * slopes.cols()) return {};
   Eigen::FullPivLU<Eigen::MatrixXd> lu(slopes);

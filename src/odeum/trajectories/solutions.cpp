@@ -127,7 +127,7 @@ std::vector<std::size_t> drawn_components(const Case& c) {
 
 ExactStates exact_curve(const Case& c, const std::vector<double>& times) {
   ExactStates known = true_states(c, times);
-  if (known.everywhere || times.empty()) return known;
+  if (known.everywhere || times.empty() || c.problem.events) return known;
   // A truth of fewer digits can't check the curve.
   if (c.y0.size() <= dense_dimension_limit && c.truth.floor <= most_apart * largest_of(c))
     if (ExactStates computed = computed_curve(c, times); computed.everywhere) return computed;

@@ -115,6 +115,22 @@ System from_zero(const System& system) {
   return system.t0 == 0 ? system : later(system, system.t0);
 }
 
+namespace {
+
+/// Whether a mode follows at t; else the run ends, in words.
+bool has_mode(const System& system, const std::shared_ptr<System>& mode, bool changes_on, Real t,
+              Run& whole) {
+  if (mode && changes_on) return true;
+  whole.end = fmt::format("{} t = {:.9Lg}",
+                          mode ? "conditions change ever faster at"
+                               : "the solution stays where a condition changes (sliding), from",
+                          system.origin + t);
+  if (!mode) whole.slides_from = system.origin + t;
+  return false;
+}
+
+}  // namespace
+
 Run run_across(Method method, const System& system, const std::vector<Real>& times,
                const Effort& effort, bool moved) {
   if (!system.mode_at) return method(system, times, effort);
@@ -131,14 +147,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
     if (!events.at_time(*mode, t, y, whole)) return whole;
   for (int at_once = 0; !left.empty();) {
     const std::shared_ptr<System> mode = system.mode_at(t, y, span, moved);
-    if (!mode || at_once > most_at_once) {
-      whole.end = fmt::format("{} t = {:.9Lg}",
-                              mode ? "conditions change ever faster at"
-                                   : "the solution stays where a condition changes (sliding), from",
-                              system.origin + t);
-      if (!mode) whole.slides_from = system.origin + t;
-      return whole;
-    }
+    if (!has_mode(system, mode, at_once <= most_at_once, t, whole)) return whole;
     if (!events.settles(*mode, t, y, whole)) return whole;
     if (before) {
       if (whole.unsure.empty()) whole.sure = whole.states.size();

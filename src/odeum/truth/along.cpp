@@ -152,7 +152,8 @@ void Watched::take(const State& y) {
 
 Along Watched::at(std::size_t mark) const {
   Along along;
-  for (const Seen& seen : marks_[mark]) {
+  // Times after the end of a solution that stays as it is have no mark of their own.
+  for (const Seen& seen : mark < marks_.size() ? marks_[mark] : all_) {
     const Real first = std::abs(seen.first), from = seen.risen_from;
     const bool rises = !seen.changed_sign && from > 0 && from < low_part * seen.largest &&
                        !(from == first && first < least_start * seen.largest);

@@ -54,7 +54,7 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
   std::vector<double> state(c.y0.size());
   const bool known =
       std::ranges::all_of(times, [&](double t) { return c.truth.at(t, state.data()); });
-  if (known || !c.extended) return c.truth;
+  if (known || !c.extended || c.problem.events) return c.truth;
   const Reference reference = *kept_or_computed(content_of(c), state.size(), times, c.units, [&] {
     return compute_reference(case_system(c), times, c.units);
   });

@@ -69,7 +69,7 @@ class EventsAlong {
     events_->values(t, y.data(), values_.data(), moved_);
     for (std::size_t k = 0; k < values_.size(); ++k) {
       const bool fires = events_->senses[k] == 0 || events_->senses[k] == crossed_[k];
-      // On the far side of a zero that is no event of its own, or away from any.
+      // On the far side of a zero where its event does not happen, or away from any.
       const Real side = crossed_[k] == 0 ? values_[k] : static_cast<Real>(fires ? 0 : crossed_[k]);
       if (side * static_cast<Real>(mode.sides[k]) < 0)
         return end(whole, t, "an event is undone at once (chattering)");

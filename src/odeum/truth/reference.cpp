@@ -258,8 +258,7 @@ class Search {
       r.floors.emplace_back(floors.begin(), floors.end());
     }
     if (r.end.empty() && best.known < times_.size()) r.end = why(best);
-    const Real first = best.a.ends_at, second = best.b.ends_at;
-    const Real margin = 1e-6L * elapsed_.back();
+    const Real first = best.a.ends_at, second = best.b.ends_at, margin = 1e-6L * elapsed_.back();
     if (std::isfinite(first) && std::abs(first - second) <= margin)
       r.ends_at = static_cast<double>(t0_ + std::max(first, second) + margin);
     return r;

@@ -222,7 +222,6 @@ class Modes {
   /// The signs of the expressions of events a while after t.
   static std::vector<int> sides_of(const Part& part, Real t, const State& y, Real after) {
     State values(part.events.size());
-    if (values.empty()) return {};
     const State next = short_way(part, t, y, after);
     formula::Evaluator<Real>(part.ode->problem().graph, part.mode.events)(t + after, next.data(),
                                                                           values.data());
