@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # sh check.sh <source>: scripts/check fails where the sanitizers are not through with the first label in time, says
 # where they are not with a later one, and fails where a sanitized test does, or a command under valgrind ends
-# otherwise than it should. Builds are replaced by nothing.
+# otherwise than it should. Its last line sums what all steps counted. Builds are replaced by nothing.
 set -eu
 at=$(mktemp -d)
 trap 'rm -rf "$at"' EXIT
@@ -32,3 +32,12 @@ fails "$at/scripts/check" memory
 case $output in *third_order.yaml*"exit code 99, expected 0"*) ;; *) echo "no word on the command: $output" && exit 1 ;; esac
 fake "$at/bin/valgrind" 'case $* in *rk5*|*gauss4*) exit 2 ;; esac'
 "$at/scripts/check" memory >/dev/null
+fake "$at/scripts/test" 'echo "1/3 Test #1: a ....   Passed"; echo "2/3 Test #2: b ....***Skipped"
+echo "67% tests passed, 1 tests failed out of 3"; exit 1'
+fails "$at/scripts/check" suite memory
+case $output in *"== 1 skipped"*"
+1 passed, 1 failed") ;; *) echo "the sums of a failed step: $output" && exit 1 ;; esac
+fake "$at/scripts/test" 'echo "2/3 Test #2: b ....***Skipped"; echo "100% tests passed, 0 tests failed out of 3"'
+output=$("$at/scripts/check" suite memory)
+case $output in *"
+4 passed, 0 failed") ;; *) echo "the sums of two steps: $output" && exit 1 ;; esac
