@@ -61,6 +61,40 @@ function(odeum_add_accuracy_test)
   endwhile()
 endfunction()
 
+# A test that a command of Odeum gives what it gave before: `odeum compare` (see its help).
+#   odeum_add_regression_test(NAME mine BASELINE results COMMAND converge --plugin ./mine.so --solver mine/* --quick
+#                             [WITHIN 0.02] [ALLOW known.txt])
+# BASELINE is a folder that this command wrote with --out. WITHIN is the part by which numbers may differ, which
+# takes a baseline of another machine, too. The folder mine_regression of the build folder has the new results. To
+# take them as the baseline, copy it.
+function(odeum_add_regression_test)
+  cmake_parse_arguments(A "" "NAME;BASELINE;WITHIN;ALLOW" "COMMAND" ${ARGN})
+  foreach(needed IN ITEMS NAME BASELINE COMMAND)
+    if(NOT A_${needed})
+      message(FATAL_ERROR "odeum_add_regression_test: ${needed} is missing")
+    endif()
+  endforeach()
+  if(A_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "odeum_add_regression_test: unknown ${A_UNPARSED_ARGUMENTS}; "
+                        "known are NAME, BASELINE, COMMAND, WITHIN and ALLOW")
+  endif()
+  get_filename_component(baseline ${A_BASELINE} ABSOLUTE)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${A_NAME}_regression)
+  set(options "")
+  if(A_WITHIN)
+    list(APPEND options --within ${A_WITHIN})
+  endif()
+  if(A_ALLOW)
+    get_filename_component(allow ${A_ALLOW} ABSOLUTE)
+    list(APPEND options --allow ${allow})
+  endif()
+  add_test(NAME ${A_NAME}.run COMMAND ${Odeum_PROGRAM} ${A_COMMAND} --out ${folder}
+           WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  add_test(NAME ${A_NAME} COMMAND ${Odeum_PROGRAM} compare ${baseline} ${folder} ${options})
+  set_tests_properties(${A_NAME}.run PROPERTIES FIXTURES_SETUP ${A_NAME})
+  set_tests_properties(${A_NAME} PROPERTIES FIXTURES_REQUIRED ${A_NAME})
+endfunction()
+
 # The ids of the cases that have one of the tags or match one of the globs, without those that match a
 # glob after an exclamation mark; asked of the installed program.
 function(odeum_cases_of patterns variable)

@@ -79,9 +79,10 @@ void add_help(CLI::App& app) {
 void group_commands(CLI::App& app) {
   const std::vector<std::pair<const char*, std::vector<std::string_view>>> groups{
       {"Questions",
-       {"run", "advise", "why", "precision", "converge", "stability", "limits", "drift"}},
+       {"run", "advise", "why", "judge", "precision", "converge", "stability", "limits", "drift"}},
       {"Many runs", {"sweep", "plan", "shard", "merge", "status"}},
-      {"Tools", {"list", "verify", "classify", "poisson", "doctor", "completion", "help"}}};
+      {"Tools",
+       {"compare", "list", "verify", "classify", "poisson", "doctor", "completion", "help"}}};
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
     command->group("Laboratory");
     for (const auto& [group, names] : groups)

@@ -72,6 +72,8 @@ int run(const std::vector<std::string>& words, Session& session) {
   add_run(app, session, result);
   add_advise(app, session, result);
   add_why(app, session, result);
+  add_judge(app, session, result);
+  add_compare(app, result);
   const odeum::study::Studies studies = odeum::study::make_studies();
   for (const auto& study : studies) add_study(app, session, *study);
   add_report(app, session);

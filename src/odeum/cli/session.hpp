@@ -118,6 +118,8 @@ void add_list(CLI::App& app, Session& session);
 void add_run(CLI::App& app, Session& session, int& result);
 void add_advise(CLI::App& app, Session& session, int& result);
 void add_why(CLI::App& app, Session& session, int& result);
+void add_judge(CLI::App& app, Session& session, int& result);
+void add_compare(CLI::App& app, int& result);
 void add_sweep(CLI::App& app, Session& session, int& result);
 void add_report(CLI::App& app, Session& session);
 void add_verify(CLI::App& app, Session& session, int& result);

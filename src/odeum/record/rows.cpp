@@ -28,6 +28,11 @@ class CsvSource : public FieldSource {
     return !broken_;
   }
   bool broken() const { return broken_; }
+  std::vector<std::string> columns() const {
+    std::vector<std::string> names(columns_.size());
+    for (const auto& [name, at] : columns_) names[at] = name;
+    return names;
+  }
   bool has(const std::string& column) const { return columns_.contains(column); }
   std::string next(const std::string& column) override {
     return text_of_field(row_[columns_.at(column)]);
@@ -90,6 +95,30 @@ std::string read_csv(const std::filesystem::path& folder, const std::string& nam
   }
   return csv.broken() ? subject + "is truncated" : "";
 }
+
+}  // namespace odeum::record::detail
+
+namespace odeum::record {
+
+Records read_records(const std::filesystem::path& folder, const std::string& name) {
+  std::optional<std::string> text = text_of_file(folder / name);
+  if (text && name.ends_with(".gz")) text = text_of_gzip(*text);
+  if (!text) throw FileError((folder / name).string() + ": cannot be read");
+  detail::CsvSource csv(*text);
+  Records records;
+  records.columns = csv.columns();
+  while (csv.next_row()) {
+    std::vector<Cell>& row = records.rows.emplace_back();
+    for (const std::string& column : records.columns) row.emplace_back(csv.next(column));
+  }
+  if (csv.broken() || records.columns.empty())
+    throw FileError((folder / name).string() + ": is not a table, or is cut off");
+  return records;
+}
+
+}  // namespace odeum::record
+
+namespace odeum::record::detail {
 
 void add_to_record(const Fields& fields, std::string& record) {
   for (const Field& field : fields) record += cell_text(field.value) + separator;

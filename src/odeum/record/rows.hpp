@@ -82,6 +82,10 @@ void write_rows(const std::vector<Row>& rows, const OutputFolder& folder) {
   folder.write(Row::file, csv_text(rows));
 }
 
+/// The table folder/name as it stands, whatever its columns are: cells are text. Throws FileError
+/// for a file that is damaged or is not such a table.
+Records read_records(const std::filesystem::path& folder, const std::string& name);
+
 /// The rows of folder/Row::file from an earlier run, all or none; none where there is no file.
 /// Where it cannot be used, a sentence is added to `problem`.
 template <class Row>
