@@ -131,9 +131,11 @@ class Campaign:
                 stream.seek(0)
             said, remarks = out.read(), err.read().decode(errors="replace")
         self.count += 1
-        self.peak, self.longest = max(self.peak, usage.ru_maxrss), max(self.longest, usage.ru_utime + usage.ru_stime)
         what = f"odeum {' '.join(arguments)}: exit code {child.returncode}: {remarks[-300:]}"
-        if child.returncode not in codes or words.search(remarks):
+        spent = usage.ru_utime + usage.ru_stime
+        self.peak, self.longest = max(self.peak, usage.ru_maxrss), max(self.longest, spent)
+        started = child.returncode != -signal.SIGTERM or spent > 0.1  # what listens to it is not yet there
+        if (started and child.returncode not in codes) or words.search(remarks):
             raise Failure(what)
         if usage.ru_maxrss > memory:
             raise Failure(f"{usage.ru_maxrss >> 10} MB: {what}")

@@ -3,41 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <filesystem>
-#include <fstream>
-#include <vector>
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/core/build_info.hpp"
-#include "odeum/core/checksum.hpp"
+#include "odeum/core/file_sum.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/formula/cache.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
 namespace {
-
-/// Sums the program's file, block by block: every shard of a plan begins with it.
-std::uint64_t sum_of_program() {
-  std::ifstream in("/proc/self/exe", std::ios::binary);
-  constexpr std::size_t words = 1U << 13U, lanes = 4;
-  std::vector<std::uint64_t> block(words);
-  // Independent sums, since each product waits for the one before.
-  std::array<std::uint64_t, lanes> sums{1, 2, 3, 4};
-  do {
-    std::ranges::fill(block, 0);
-    in.read(reinterpret_cast<char*>(block.data()), words * sizeof(std::uint64_t));
-    for (std::size_t k = 0; k < words; k += lanes)
-      for (std::size_t lane = 0; lane < lanes; ++lane)
-        sums[lane] = (std::rotl(sums[lane], 29) ^ block[k + lane]) * 0x9e3779b97f4a7c15U;
-  } while (in);
-  std::string all;
-  for (const std::uint64_t sum : sums) all += fmt::format("{:x}", sum);
-  return checksum(all);
-}
 
 /// The processor, and the shared libraries (the C library's functions among them).
 std::string mark_of_machine() {
@@ -57,7 +33,8 @@ std::string mark_of_machine() {
 
 std::string mark_of_program() {
   static const std::string program =
-      fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags, sum_of_program());
+      fmt::format("{} {} {} {}", build::version, build::revision, build::flags,
+                  sum_of_file("/proc/self/exe"));  // every shard of a plan begins with it
   std::string mark = program;
   for (const RuntimeLibrary& library : runtime_libraries()) mark += " " + library.mark;
   return mark;

@@ -8,54 +8,58 @@
 
 namespace odeum::isolated {
 
-/// Keeps how this thread rounds and whether it flushes subnormal numbers to zero: at the end of its
-/// life they are as at its start, whatever foreign code has changed, as the start of code that is
-/// compiled with -Ofast does.
+/// How this thread rounds and whether it flushes subnormal numbers to zero, without the flags of
+/// what has happened.
+class Arithmetic {
+ public:
+  void set() const;
+  bool operator==(const Arithmetic&) const = default;
+
+ private:
+#if defined(__SSE2__)
+  static unsigned short extended_now() {
+    unsigned short word = 0;
+    __asm__ volatile("fnstcw %0" : "=m"(word));
+    return word;
+  }
+  unsigned vectors_ = _mm_getcsr() & ~0x3FU;
+  unsigned short extended_ = extended_now();
+#elif defined(__aarch64__)
+  static unsigned long control_now() {
+    unsigned long word = 0;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(word));
+    return word;
+  }
+  unsigned long control_ = control_now();
+#else
+  int rounding_ = std::fegetround();
+#endif
+};
+
+inline void Arithmetic::set() const {
+#if defined(__SSE2__)
+  _mm_setcsr(vectors_);
+  __asm__ volatile("fldcw %0" : : "m"(extended_));
+#elif defined(__aarch64__)
+  __asm__ volatile("msr fpcr, %0" : : "r"(control_));
+#else
+  std::fesetround(rounding_);
+#endif
+}
+
+/// Keeps the arithmetic of this thread: at the end of its life that is as at its start, whatever
+/// foreign code has changed, as the start of code that is compiled with -Ofast does.
 class KeptArithmetic {
  public:
   KeptArithmetic() = default;
   ~KeptArithmetic() {
-    if (const Modes now; now != before_) before_.set();
+    if (before_ != Arithmetic()) before_.set();
   }
   KeptArithmetic(const KeptArithmetic&) = delete;
   KeptArithmetic& operator=(const KeptArithmetic&) = delete;
 
  private:
-#if defined(__SSE2__)
-  /// Without the flags of what has happened.
-  struct Modes {
-    unsigned vectors = _mm_getcsr() & ~0x3FU;
-    unsigned short extended = extended_now();
-    static unsigned short extended_now() {
-      unsigned short word = 0;
-      __asm__ volatile("fnstcw %0" : "=m"(word));
-      return word;
-    }
-    void set() const {
-      _mm_setcsr(vectors);
-      __asm__ volatile("fldcw %0" : : "m"(extended));
-    }
-    bool operator==(const Modes&) const = default;
-  };
-#elif defined(__aarch64__)
-  struct Modes {
-    unsigned long control = now();
-    static unsigned long now() {
-      unsigned long word = 0;
-      __asm__ volatile("mrs %0, fpcr" : "=r"(word));
-      return word;
-    }
-    void set() const { __asm__ volatile("msr fpcr, %0" : : "r"(control)); }
-    bool operator==(const Modes&) const = default;
-  };
-#else
-  struct Modes {
-    int rounding = std::fegetround();
-    void set() const { std::fesetround(rounding); }
-    bool operator==(const Modes&) const = default;
-  };
-#endif
-  const Modes before_;
+  Arithmetic before_;
 };
 
 }  // namespace odeum::isolated

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/report/facts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -13,10 +11,9 @@
 #include "odeum/cases/linear_form.hpp"
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/cases/text_case.hpp"
-#include "odeum/core/checksum.hpp"
+#include "odeum/core/file_sum.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/core/parallel.hpp"
-#include "odeum/input/text_file.hpp"
 #include "odeum/report/text.hpp"
 
 namespace odeum::report {
@@ -124,11 +121,10 @@ ordered_json facts_of_process() {
   for (std::string word; std::getline(words, word, '\0');) facts["words"].push_back(plain(word));
   for (const std::string& library : loaded_libraries()) {
     const fs::path file = fs::canonical(library, none);
-    const auto content = none ? std::nullopt : text_of_file(file);
-    if (!content) continue;  // what the kernel adds
-    facts["loaded"].push_back({{"file", plain(file.string())},
-                               {"bytes", content->size()},
-                               {"sum", fmt::format("{:016x}", checksum(*content))}});
+    const auto bytes = none ? 0 : fs::file_size(file, none);
+    if (none) continue;  // what the kernel adds
+    facts["loaded"].push_back(
+        {{"file", plain(file.string())}, {"bytes", bytes}, {"sum", sum_of_file(file.string())}});
   }
   return facts;
 }
