@@ -32,6 +32,7 @@ TimedSolver timed_solver(const Entrant& entrant, const Entrant* inlined) {
   TimedSolver solver{&entrant, Mode::adaptive, inlined};
   TimedRun& trial = solver.trials.emplace_back();
   trial.row.status = "ok";
+  trial.row.error = 0;
   trial.request.stops = {1};
   trial.request.tolerance = 1e-3;
   trial.states = {1, 2};
