@@ -62,7 +62,7 @@ class Translation {
                          const Reaction* in = nullptr);
   std::string value(const std::string& id, bool at_start, const Reaction* in);
   std::string start_of(const std::string& id);
-  std::string start_without_rules(const Quantity& of, const std::string& id);
+  std::string start_without_rules(const Quantity& q, const std::string& id);
   /// The amount at the start of a species whose symbol is a concentration.
   std::string start_amount(const std::string& id, const Species& species);
   std::string rate_of(const std::string& id, bool at_start);

@@ -20,7 +20,7 @@ std::string Translation::expression(const ASTNode& node, const SBase& of, bool a
   try {
     return MathText(model_, meaning).number(node);
   } catch (const Unsupported& error) {
-    const std::string id = of.getId();
+    const std::string& id = of.getId();
     throw ElementError(of,
                        fmt::format("{}{}", error.what(), id.empty() ? "" : " (for " + id + ")"));
   }
@@ -112,7 +112,7 @@ std::string Translation::own_stoichiometry(const SpeciesReference& reference, bo
 }
 
 std::string Translation::stoichiometry(const SpeciesReference& reference, bool at_start) {
-  const std::string id = reference.getId();
+  const std::string& id = reference.getId();
   if (!id.empty() && quantities_.contains(id)) {
     const Quantity& q = quantity(id);
     if (q.assigned || q.rated || q.initial) return value(id, at_start, nullptr);
@@ -127,7 +127,10 @@ std::string Translation::made(const Species& species, bool at_start) {
     const auto add = [&](const SpeciesReference& reference, bool is_reactant) {
       if (reference.getSpecies() != species.getId()) return;
       std::string number = stoichiometry(reference, at_start);
-      number = number == "1" ? "" : number + "*";
+      if (number == "1")
+        number.clear();
+      else
+        number += '*';
       sum += fmt::format("{}{}{}",
                          is_reactant   ? " - "
                          : sum.empty() ? ""

@@ -57,7 +57,7 @@ struct Key {
 
 /// A species that a reaction needs or makes: a state, or what no reaction changes.
 struct Participant {
-  Id species, coefficient;
+  Id species = no_node, coefficient = no_node;
 };
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);  ///< no compartment
