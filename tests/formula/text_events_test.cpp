@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Events of a text: what is refused, runs of own methods and peers, and the truth, against closed
-// forms.
+// Events of a text: runs of own methods and peers, and the truth, against closed forms.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -261,40 +260,6 @@ events:
   EXPECT_LT(truth.known_until, 0.2 + 0.28 / 0.3);
   EXPECT_GE(truth.known_until, 1.0) << truth.words;
   EXPECT_LE(cases::truth_of(chatters.ode).known_until, 1.0);
-}
-
-TEST(TextEvents, ThoseThatAreNotSoundAreRefusedWithTheirPlace) {
-  const std::pair<const char*, const char*> bad[] = {
-      {"- {when: x, falling: true}", "6:5: events[1]: got one that sets nothing and does not stop"},
-      {"- {when: x, set: {z: 1}}", "6:21: events[1]: set: no state; got z"},
-      {"- {set: {x: 1}}", "6:5: events[1]: got neither when nor at"},
-      {"- {when: x, at: 1, set: {x: 1}}", "6:5: events[1]: got both when and at"},
-      {"- {at: 1, set: {x: 1}}\n  - {at: 1, set: {x: 2}}",
-       "7:5: events[2]: two events set x at one time"},
-      {"- {when: x, set: {x: 1}}\n  - {when: x, rising: true, set: {x: 2}}",
-       "7:5: events[2]: two events set x at one time"},
-      {"- {at: 1, every: 0, set: {x: 1}}", "6:20: events[1]: every: got 0"},
-      {"- {at: 1, until: 2, set: {x: 1}}", "6:13: events[1]: until: got one without `every`"},
-      {"- {at: -1, set: {x: 1}}", "6:10: events[1]: at: before the start"},
-      {"- {when: x, every: 1, set: {x: 1}}", "6:15: events[1]: every: got one beside `when`"},
-      {"- {when: 1 + 1, set: {x: 1}}", "6:12: events[1]: when: got a constant"},
-      {"- {when: x, rising: yes, set: {x: 1}}", "6:23: events[1]: rising: got yes"},
-      {"- {when: x, set: {x: q}}", "6:24: events[1]: set: x: unknown name; got q"},
-      {"- {when: x, sat: {x: 1}}", "6:15: events[1].sat: an unknown key"},
-      {"- {when: x, set: {x: 1}}\nexact: {x: exp(-t)}", "7:1: exact: got this beside events"},
-      {"- {when: x, order: 1.5, set: {x: 1}}", "6:22: events[1]: order: got 1.5"}};
-  for (const auto& [event, message] : bad) {
-    const std::string text = fmt::format(
-        "# events\nstates: {{x: 1}}\nequations: {{x: -x}}\ntime: {{end: 3}}\nevents:\n  {}\n",
-        event);
-    try {
-      formula::read_problem("f.yaml", text);
-      ADD_FAILURE() << event;
-    } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()).rfind(fmt::format("f.yaml:{}", message), 0), 0U)
-          << error.what();
-    }
-  }
 }
 
 TEST(TextEvents, AValueThatIsNotFiniteEndsARun) {

@@ -13,8 +13,8 @@ namespace odeum::cases {
 std::shared_ptr<const Events> events_of(const formula::Problem& problem);
 
 /// Gives a case the switches and the events of its text; whether there are any. A reset may change
-/// what the equations keep, so that a case with events has no invariants, and its right-hand side in
-/// extended precision is not its whole.
+/// what the equations keep, so that a case with events has no invariants, and its right-hand side
+/// in extended precision is not its whole.
 bool take_changes(const formula::Problem& problem, Case& c);
 
 /// What they are, for people; empty where there are none.
