@@ -101,5 +101,27 @@ TEST(ContactsOfPositions, AreSeenByNystroemMethods) {
           << method << " at " << tolerance;
 }
 
+/// A tank that fills at rate 1 and from 0 on at the root of its level: one long step from before to
+/// t = 2 has the slope 1 at both ends.
+struct FillingTank {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double, const double* y, double* f) const { f[0] = y[0] > 0 ? std::sqrt(y[0]) : 1; }
+};
+
+TEST(BackwardDifferences, LookIntoTheMiddleOfAStepThatIsMuchLongerThanTheLast) {
+  for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
+    Request request;
+    request.mode = Mode::adaptive;
+    request.tolerance = Tolerance(tolerance, std::vector<double>{tolerance});
+    request.stops = {2};
+    const Outcome outcome =
+        run_own("bdf_variable", contest_on(FillingTank(), 0, std::vector<double>{-1}), request);
+    // Where h leaves 0 an error of one tolerance grows to its root.
+    EXPECT_TRUE(outcome.status != Status::ok ||
+                std::abs(outcome.states[0] - 0.25) < 3 * std::sqrt(tolerance))
+        << outcome.states[0] << " at " << tolerance;
+  }
+}
+
 }  // namespace
 }  // namespace odeum::tests::contact_test

@@ -488,6 +488,12 @@ const std::vector<MadeFailure>& made_failures() {
        .step = 0.125,
        .causes = {kink},
        .end = {1.9122549902496437}},
+      {.name = "a_start_below_the_rounding_of_t",  // c = sqrt(1 + 2e50 (t - 1))
+       .text = "states: {c: 1}\nequations: {c: 1e50/c}\ntime: {start: 1, end: 2}\n",
+       .solver = "odeum/rodas4",
+       .causes = {rounding},
+       .also = {accuracy},
+       .end = {1.4142135623730951e25}},
       // Two causes.
       {.name = "rotor_that_slows_beside_a_filter",
        .text =

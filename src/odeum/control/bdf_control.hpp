@@ -26,8 +26,14 @@ class BdfTrial {
     const double error = stepper_.error(order_);
     if (!(error <= 1))
       return reject(std::isfinite(error) ? std::max(0.2, safety * factor_of(error, order_)) : 0.2);
+    // Newton's method sees the end of a step alone, and what is another in between may be as before
+    // there; a step like the last one has been looked at by its differences.
+    constexpr double like_the_last = 2;
+    if (made_ > 0 && h > like_the_last * made_ && !stepper_.even_in_the_middle(t, order_))
+      return reject(0.5);
     stepper_.advance(order_);
     t_ = t + h;
+    made_ = h;
     y_new = stepper_.state();
     if (++equal_steps_ > order_) choose_order(error, safety);
     return {true, stepper_.h()};
@@ -68,7 +74,7 @@ class BdfTrial {
   }
 
   Stepper stepper_;
-  double t_ = 0;
+  double t_ = 0, made_ = 0;  ///< the end of the last step, and its length
   int order_ = 1, equal_steps_ = 0;
 };
 

@@ -2,6 +2,7 @@
 // long: on right-hand sides and on residuals
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -32,7 +33,8 @@ class BdfStepper {
         h_(h),
         newton_(max_iterations, newton_tolerance(tolerance.relative)),
         difference_(problem) {
-    for (State<P>* state : {&y_, &psi_, &d_, &f_, &scale_}) *state = make_state(problem);
+    for (State<P>* state : {&y_, &psi_, &d_, &f_, &scale_, &middle_[0], &middle_[1]})
+      *state = make_state(problem);
     difference_[0] = y0;
     problem.rhs(t0, y0.data(), difference_[1].data());
     for (double& component : difference_[1]) component *= h;
@@ -60,6 +62,32 @@ class BdfStepper {
   int iterations() const { return newton_.iterations(); }
   double error(int k) const { return std::abs(ndf::error_constant(k)) * norm(d_); }
 
+  /// Whether f at the middle of the step from t that was solved for is the slope of the cubic
+  /// through the states and slopes at its ends, to some tolerances of the state; not looked at on
+  /// residuals.
+  bool even_in_the_middle(double t, int k) {
+    if constexpr (WithResiduals<P>) {
+      return true;
+    } else {
+      constexpr double even = 30;
+      const auto order = static_cast<std::size_t>(k);
+      const double c = h_ / ((1 - ndf::kappa[order]) * ndf::gamma[order]);
+      const State<P>& start = difference_[0];
+      State<P>& at_start = middle_[0];
+      State<P>& at = middle_[1];
+      problem_.rhs(t, start.data(), at_start.data());
+      each_component(at, [&](std::size_t n) {
+        const double at_end = (psi_[n] + d_[n]) / c;
+        at[n] = 0.5 * (start[n] + y_[n]) + 0.125 * h_ * (at_start[n] - at_end);
+        f_[n] = 1.5 * (y_[n] - start[n]) - 0.25 * h_ * (at_start[n] + at_end);
+      });
+      State<P>& there = at_start;
+      problem_.rhs(t + 0.5 * h_, at.data(), there.data());
+      each_component(at, [&](std::size_t n) { f_[n] = h_ * there[n] - f_[n]; });
+      if (norm(f_) <= even) return true;
+      return system_.solve(f_.data()) && norm(f_) <= even;
+    }
+  }
   /// Makes the step by order k that was solved for.
   void advance(int k) {
     jacobian_.moved(false);
@@ -149,6 +177,7 @@ class BdfStepper {
       newton_;
   KeptJacobian jacobian_;
   State<P> y_, psi_, d_, f_, scale_;
+  std::array<State<P>, 2> middle_;
   DifferenceHistory<max_order, P> difference_;
 };
 

@@ -27,34 +27,37 @@ std::size_t with_absolutes(Inquiry& q, const std::vector<double>& level) {
 
 void look_for_growth_from_below(Inquiry& q) {
   if (!q.run.ok() || !q.trusted || !(q.difference(q.run) > 10 * wanted(q))) return;
-  std::vector<double> least(q.sizes.size(), infinity);
-  for (const Moment& at : q.trusted->moments)
-    for (std::size_t i = 0; i < least.size(); ++i) {
-      if (at.y[i] != 0) least[i] = std::min(least[i], std::abs(at.y[i]));
-      // One that passes zero has no smallest size.
-      if (at.y[i] * q.trusted->moments.back().y[i] < 0) least[i] = -infinity;
-    }
   const Tolerance& tolerance = q.run.request.tolerance;
-  const auto below = [&](std::size_t i) {
-    return q.sizes[i] > 0 && least[i] > 0 && least[i] < 0.1 * tolerance.absolute(i) &&
-           std::abs(q.trusted->moments.back().y[i]) > 10 * least[i];
-  };
+  const std::vector<Moment>& moments = q.trusted->moments;
+  // Nearly every component that starts from zero is below for an instant.
+  constexpr double part = 0.05, far = 10, helps = 0.2;
+  const double long_enough = part * (moments.back().t - moments.front().t);
+  std::vector<double> level(q.sizes.size());
   std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < least.size(); ++i)
-    if (below(i) &&
-        (!found || least[i] / tolerance.absolute(i) < least[*found] / tolerance.absolute(*found)))
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    double least = infinity, below = 0;
+    std::size_t above = 0;
+    for (std::size_t k = 0; k + 1 < moments.size(); ++k) {
+      const double size = std::abs(moments[k].y[i]);
+      if (size > far * tolerance.absolute(i)) above = k;
+      if (size == 0 || size > tolerance.absolute(i)) continue;
+      least = std::min(least, size);
+      if (above == 0) below += moments[k + 1].t - moments[k].t;
+    }
+    if (!(below > long_enough) || above == 0 || !(far * least < tolerance.absolute(i))) continue;
+    level[i] = least;
+    if (!found || least / tolerance.absolute(i) < level[*found] / tolerance.absolute(*found))
       found = i;
+  }
   if (!found) return;
-  const std::size_t who = *found;
-  const std::size_t other = with_absolutes(q, least);
-  constexpr double helps = 0.2;
-  if (!(q.difference(q.others[other]) < helps * q.difference(q.run))) return;
+  const double ours = q.difference(q.run),
+               theirs = q.difference(q.others[with_absolutes(q, level)]);
+  if (!(theirs < helps * ours)) return;
   q.add(Cause::absolute, nan, nan,
         fmt::format("{} grows from {:.2g}, below its absolute tolerance of {:.2g}, so that its "
                     "error there is not held and grows with it: with one below it the run ends "
                     "{:.2g} away, in place of {:.2g}",
-                    q.names[who], least[who], tolerance.absolute(who),
-                    q.difference(q.others[other]), q.difference(q.run)));
+                    q.names[*found], level[*found], tolerance.absolute(*found), theirs, ours));
 }
 
 void look_at_absolutes(Inquiry& q) {

@@ -149,6 +149,20 @@ void look_at_jacobian(Inquiry& q) {
   q.add(Cause::wrong_jacobian, share, q.c.t0, text);
 }
 
+void look_at_start(Inquiry& q) {
+  if (q.run.outcome.status != Status::step_too_small || q.run.ends.back() != q.c.t0) return;
+  const std::vector<double> f = slope(q.c, q.c.t0, q.c.y0);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const double time = std::abs(q.c.y0[i] / f[i]);
+    if (!(time > 0 && time < 4 * epsilon * std::abs(q.c.t0))) continue;
+    q.add(Cause::rounding, nan, q.c.t0,
+          fmt::format("{} changes by its size within {:.2g} from the start on, and times near {:g} "
+                      "are {:.2g} apart: no step is that short, but with a time that starts at 0",
+                      q.names[i], time, q.c.t0, epsilon * std::abs(q.c.t0)));
+    return;
+  }
+}
+
 void look_at_tolerances(Inquiry& q) {
   const Tolerance& tolerance = q.run.request.tolerance;
   const Outcome& outcome = q.run.outcome;

@@ -141,6 +141,8 @@ void share_out(Inquiry& q);
 void look_for_kinks(Inquiry& q);
 void look_at_jacobian(Inquiry& q);
 void look_at_tolerances(Inquiry& q);
+/// A solution that changes at its start within the rounding of t.
+void look_at_start(Inquiry& q);
 /// Finds an absolute tolerance above the size of a component; the run with another one tells.
 void look_at_absolutes(Inquiry& q);
 /// A component that grows from below its absolute tolerance carries its error along, although it

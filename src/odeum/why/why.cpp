@@ -90,7 +90,7 @@ void look_at_steps(Inquiry& q) {
     // A looser run that fails where this one does not says nothing of its steps.
     if (q.looser->ok() || !q.run.ok()) break;
   }
-  look_for_kinks(q);
+  if (!q.found(Cause::rounding)) look_for_kinks(q);
   if (q.run.ok() && !q.found(Cause::sliding)) look_for_unseen(q);
   look_at_tolerances(q);
   compare_samples(q);
@@ -168,7 +168,7 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   sample(q, q.run, step);
   q.progress.advance();
   try_others(q);
-  if (q.adaptive()) look_at_absolutes(q);
+  if (q.adaptive()) look_at_start(q), look_at_absolutes(q);
   // Where others reach the end, so does the solution, and a run that was cut short says no more;
   // nor does a fixed step about where it ends.
   const bool unpaid = q.run.outcome.status == Status::over_budget;
