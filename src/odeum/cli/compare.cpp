@@ -114,7 +114,7 @@ void add_compare(CLI::App& app, int& result) {
              "default: 0");
   add_option(*command, "--allow FILE", options->allow,
              "lines of globs on table, run, column and change (trailing ones may be left out) of "
-             "differences that are no regression");
+             "differences that are not regressions");
   add_format(*command, options->format);
   add_option(*command, "--out DIR", options->out, "folder for differences.csv");
   command->callback([options, &result] {
