@@ -62,6 +62,16 @@ TEST(Networks, SpeciesReactionsFunctionsAndGroups) {
   EXPECT_EQ(out[2], 10);
 }
 
+TEST(Networks, ASpeciesWithoutAReactionStaysAsItIs) {
+  const formula::Problem p = formula::read_problem(
+      "text", cases::text_of_network("n.net", network("  1 1 0 k", "  1 B_tot 2"), 1));
+  const double y[] = {3, 2};
+  double f[2];
+  formula::Evaluator<double>(p.graph, p.equations)(0, y, f);
+  EXPECT_EQ(f[0], -6);
+  EXPECT_EQ(f[1], 0);
+}
+
 TEST(Networks, FaultsHaveTheirLine) {
   EXPECT_EQ(fault(network("  1 1 4 k", "  1 B_tot 2")), "");
   const auto expect = [](const std::string& text, const std::string& begin,

@@ -60,6 +60,7 @@ class Network {
       text_.output(name, names_.at(name));
     }
     for (const Line& line : blocks_["reactions"]) read_reaction(line);
+    for (const std::string& name : idle_) text_.equation(name, "0");
     try {
       return text_.text(end);
     } catch (const std::invalid_argument& cycle) {
@@ -169,7 +170,7 @@ class Network {
       if (is_fixed)
         text_.parameter(species_.back(), expression(line, 1));
       else
-        text_.state(species_.back(), expression(line, 1));
+        text_.state(species_.back(), expression(line, 1)), idle_.insert(species_.back());
     }
   }
 
@@ -217,6 +218,7 @@ class Network {
       each_of(list, [&](std::string_view number) {
         const std::string& name = species_at(line, number);
         all += (all.empty() ? "" : " + ") + name;
+        idle_.erase(name);
         if (left) reactants.push_back(name);
       });
       return all;
@@ -250,6 +252,7 @@ class Network {
   std::map<std::string, std::vector<Line>> blocks_;
   std::map<std::string, std::string> names_;  ///< of the text, by those of the network
   std::vector<std::string> species_, groups_;
+  std::set<std::string> idle_;  ///< species that are in no reaction
 };
 
 }  // namespace
