@@ -109,7 +109,10 @@ TEST(Robustness, NoAdaptiveSolverSaysOkToAWrongAnswer) {
       continue;
     }
     ++judged;
-    EXPECT_NE(trial.judged.answer, judge::Answer::undetermined) << trial.judged.reason;
+    // Only what is a little above the bound is left open, and is held below as if it were wrong.
+    EXPECT_TRUE(trial.judged.answer != judge::Answer::undetermined ||
+                trial.judged.reason.find("is within 10 % of the bound") != std::string::npos)
+        << trial.judged.reason;
     if (trial.within_100.answer == judge::Answer::explained) continue;
     if (trial.judged.answer == judge::Answer::explained && may_accumulate(trial.entrant->info))
       continue;

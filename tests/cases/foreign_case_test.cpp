@@ -266,7 +266,7 @@ TEST(ForeignRuns, AProcessThatHangsIsAskedThreeTimesAndEndsWithoutItsParent) {
   for (int k = 0; k < 6; ++k) EXPECT_FALSE(evaluator.call(0, 0, &x, 1, &x, 1));
   EXPECT_EQ(seen[0], static_cast<int>(isolated::most_ended));
   seen[1] = 0;
-  const pid_t parent = isolated::start_child([&] {
+  const pid_t parent = isolated::start_child(isolated::Lifetime::thread, [&] {
     foreign::Evaluator orphan(
         [seen](int, double, const double*, double*) {
           seen[1] = ::getpid();

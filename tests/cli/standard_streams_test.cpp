@@ -52,6 +52,8 @@ constexpr const char* commands[] = {
     "elements --problem nothing_like_it",
     "evolution --solver nothing_like_it",
     "proof --solver nothing_like_it",
+    "judge osc_under nothing_like_it.csv",
+    "compare nothing_like_it nothing_like_it",
 };
 
 TEST(StandardStreamsList, HasEveryCommand) {

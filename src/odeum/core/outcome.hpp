@@ -56,7 +56,7 @@ struct Outcome {
   double t = std::numeric_limits<double>::quiet_NaN();  ///< time reached
   std::vector<double> states;
   std::vector<double> step_ends;  ///< where Request::record_steps asks for them
-  std::vector<EventMet> events;  ///< in their order
+  std::vector<EventMet> events;   ///< in their order
   Counters counters;
 
   /// Record the state at a stop; y has n doubles.

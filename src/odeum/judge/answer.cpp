@@ -27,8 +27,8 @@ std::optional<JudgedAnswer> past_the_end(const std::vector<StopError>& errors) {
 /// second it has hardly a digit.
 constexpr double most_of_size = 10, useless = 0.1;
 
-/// What is explained is an estimate, by some directions and controls: an error above it by less than
-/// this is not called wrong.
+/// What is explained is an estimate, by some directions and controls: an error above it by less
+/// than this is not called wrong.
 constexpr double margin = 1.1;
 
 /// Says it of the largest error, before a semicolon; empty where digits are left.

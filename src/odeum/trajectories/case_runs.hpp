@@ -38,9 +38,9 @@ ExactStates true_states(const Case& c, const std::vector<double>& times);
 /// The exact states at the outputs of all runs, and where a reference holds the truth at its times.
 ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs);
 
-/// A row for each output of each solver, for the states before and after each of its events, and for
-/// each exact state (library `truth`): case, library, solver, time, the components by name, energy,
-/// error.
+/// A row for each output of each solver, for the states before and after each of its events, and
+/// for each exact state (library `truth`): case, library, solver, time, the components by name,
+/// energy, error.
 record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
                                 const ExactStates& exact);
 /// The end of each run: case, library, solver, status, time, component, value, exact, difference,

@@ -28,12 +28,12 @@ class Search {
  public:
   Search(const System& system, const std::vector<double>& asked, const ErrorUnits& units)
       : system_(from_zero(system)), t0_(system.t0), units_(units) {
-    const Real end = asked.back(), span = end - t0_;
+    const Real span = asked.back() - t0_, beside = 1e-6L * span;
     const std::set<Real> stops(asked.begin(), asked.end());
     std::set<Real> all = stops;
-    for (int k = 1; k < checks; ++k) {
-      // One beside a time asked for would cost steps for nothing, and is the same time in double.
-      const Real t = t0_ + span * k / checks, beside = 1e-6L * span;
+    for (int k = 0; k + 1 < checks; ++k) {
+      // Events fall on tenths. One beside a time asked for costs steps, and is the same in double.
+      const Real t = t0_ + span * (k + (system.events ? 0.618L : 1)) / checks;
       const auto next = stops.lower_bound(t - beside);
       if (next == stops.end() || *next > t + beside) all.insert(t);
     }

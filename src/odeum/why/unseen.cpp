@@ -155,13 +155,16 @@ class Step {
 /// tolerance holds; else the run misses more than that.
 void add_pulse(Inquiry& q, const Interval& unseen) {
   if (q.trusted && q.run.moments.size() > 1) {
-    // A smooth pulse has begun before half of its height.
-    const double before = std::max(q.c.t0, unseen.from - 2 * (unseen.to - unseen.from));
-    const std::vector<double> there = Path(q.c, q.trusted->moments).state(before),
-                              own = Path(q.c, q.run.moments).state(before);
+    // A smooth pulse has begun before half of its height, and states between those of a run are
+    // not those of the solution around it.
+    const double early = unseen.from - 2 * (unseen.to - unseen.from);
+    const std::vector<Moment>& known = q.trusted->moments;
+    const auto after = std::ranges::upper_bound(known, early, {}, &Moment::t);
+    const Moment& before = after == known.begin() ? known.front() : *(after - 1);
+    const std::vector<double> own = Path(q.c, q.run.moments).state(before.t);
     for (std::size_t i = 0; i < own.size(); ++i)
       if (allowed(q, q.run, i) < q.sizes[i] &&
-          !(std::abs(own[i] - there[i]) <= far_off * q.sizes[i]))
+          !(std::abs(own[i] - before.y[i]) <= far_off * q.sizes[i]))
         return;
   }
   q.pulse = unseen.to - unseen.from;

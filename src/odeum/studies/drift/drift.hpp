@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "odeum/measure/run_record.hpp"
 #include "odeum/studies/study.hpp"
 
 namespace odeum::study {
