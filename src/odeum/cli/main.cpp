@@ -92,7 +92,8 @@ int run(const std::vector<std::string>& words, Session& session) {
     std::vector<std::string> from_back(words.rbegin(), words.rend());
     // As the word before the command, so the option behind it.
     if (words.size() < 3 && !words.empty() && words.front() == "help")
-      from_back.back() = "--help", std::ranges::rotate(from_back, from_back.end() - 1);
+      from_back.back() = "--help",
+      std::rotate(from_back.begin(), from_back.end() - 1, from_back.end());
     app.parse(std::move(from_back));
   } catch (const CLI::Success& help) {  // --help, --version
     std::ostringstream text;
