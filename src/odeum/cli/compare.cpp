@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "odeum/cli/session.hpp"
@@ -49,6 +50,8 @@ std::string text_of(const compare::Differences& differences) {
 int compare_results(const CompareOptions& options) {
   if (!(options.within >= 0 && options.within < 1))
     throw UsageError("--within: got {}, expected a part from 0 to 1", options.within);
+  std::optional<record::OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
   compare::Differences differences;
   try {
     differences = compare::compare_folders(options.before, options.after, lines_of(options.allow),
@@ -59,7 +62,7 @@ int compare_results(const CompareOptions& options) {
   print(options.format == "json"  ? record::json_of(differences)
         : options.format == "csv" ? record::csv_text(differences.rows)
                                   : text_of(differences));
-  if (!options.out.empty()) record::write(differences, record::OutputFolder(options.out));
+  if (folder) record::write(differences, *folder);
   return differences.has_regression() ? check_failed : success;
 }
 
@@ -105,13 +108,13 @@ void add_compare(CLI::App& app, int& result) {
   command->add_flag("--commands", options->commands,
                     "OLD and NEW are command lines: both are run in turn, and their processor time "
                     "is compared in pairs");
-  add_option(*command, "--pairs N", options->pairs, "of runs, with --commands; default: 25");
+  add_option(*command, "--pairs N", options->pairs, "of runs, with --commands; default: {}");
   add_option(*command, "--slower PART", options->slower,
              "with --commands: exit code 1 where the newer takes more by this part at least; "
-             "default: 0.03");
+             "default: {}");
   add_option(*command, "--within PART", options->within,
              "numbers may differ by that part, and folders of another machine are compared; "
-             "default: 0");
+             "default: {}");
   add_option(*command, "--allow FILE", options->allow,
              "lines of globs on table, run, column and change (trailing ones may be left out) of "
              "differences that are not regressions");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "odeum/brought/judgement.hpp"
 #include "odeum/cli/run.hpp"
@@ -116,10 +117,9 @@ std::vector<trajectories::CaseRun> page_runs(const Case& c,
   return shown_runs;
 }
 
-void write_files(const JudgeOptions& options, const Case& c,
+void write_files(const record::OutputFolder& folder, const Case& c,
                  const std::vector<brought::Trajectory>& runs,
                  const brought::Judgement& judgement) {
-  const record::OutputFolder folder(options.out);
   record::write(judgement, folder);
   trajectories::RunTexts texts{.title = c.title,
                                .lead = c.id,
@@ -142,6 +142,8 @@ void write_files(const JudgeOptions& options, const Case& c,
 
 int judge_on(Session& session, const JudgeOptions& options) {
   const brought::Claim claim = claim_of(options);
+  std::optional<record::OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
   std::vector<brought::Trajectory> runs;
   std::vector<double> times;
   Case c = case_of(session, options.what, options.problems, [&](Case& before) {
@@ -154,7 +156,7 @@ int judge_on(Session& session, const JudgeOptions& options) {
   print(options.format == "json"  ? record::json_of(judgement)
         : options.format == "csv" ? record::csv_text(judgement.series)
                                   : brought::text_of(judgement, c));
-  if (!options.out.empty()) write_files(options, c, runs, judgement);
+  if (folder) write_files(*folder, c, runs, judgement);
   return judgement.passes() ? success : check_failed;
 }
 
