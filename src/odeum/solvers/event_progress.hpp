@@ -13,6 +13,7 @@
 
 #include "odeum/problem/events.hpp"
 #include "odeum/solvers/event_finder.hpp"
+#include "odeum/solvers/run_parts.hpp"
 #include "odeum/solvers/solver.hpp"
 
 namespace odeum {
@@ -48,10 +49,8 @@ class EventProgress {
   }
   /// The request for the part from t_ to `end`; `steps` at a fixed step.
   Request part_to(double end, std::uint64_t steps) const {
-    Request part = request_;
+    Request part = part_of(request_, t_, end);
     part.steps = steps;
-    std::erase_if(part.stops, [&](double stop) { return stop <= t_ || stop > end; });
-    if (part.stops.empty() || part.stops.back() < end) part.stops.push_back(end);
     limit(part);
     return part;
   }
@@ -68,20 +67,8 @@ class EventProgress {
   }
 
   void take(Outcome part, double end) {
-    const std::size_t n = y_.size();
-    all_.counters += part.counters;
-    all_.step_ends.insert(all_.step_ends.end(), part.step_ends.begin(), part.step_ends.end());
-    if (all_.detail.empty() || part.status != Status::ok) all_.detail = std::move(part.detail);
-    all_.status = part.status;
-    if (std::isfinite(part.t)) all_.t = part.t;
-    go_on_ = part.status == Status::ok;
-    if (go_on_) {
-      y_.assign(part.states.end() - static_cast<std::ptrdiff_t>(n), part.states.end());
-      if (!std::ranges::binary_search(request_.stops, end))
-        part.states.resize(part.states.size() - n);
-      t_ = end;
-    }
-    all_.states.insert(all_.states.end(), part.states.begin(), part.states.end());
+    go_on_ = add_part(all_, std::move(part), request_.stops, end, y_);
+    if (go_on_) t_ = end;
   }
 
   /// Events at t_. Their times are told from those before by what state events there were.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "odeum/solvers/event_run.hpp"
+#include "odeum/solvers/run_parts.hpp"
 
 namespace odeum {
 namespace {
@@ -86,28 +87,14 @@ class RunInPieces {
     return take(entrant.solve ? entrant.solve(request_of(end)) : refused(entrant.unfit), end);
   }
   Request request_of(double end) const {
-    Request part = request_;
-    std::erase_if(part.stops, [&](double stop) { return stop <= t_ || stop > end; });
-    if (part.stops.empty() || part.stops.back() < end) part.stops.push_back(end);
+    Request part = part_of(request_, t_, end);
     part.budget.evaluations -= std::min(part.budget.evaluations, all_.counters.work);
     part.budget.seconds -= std::chrono::duration<double>(Clock::now() - begin_).count();
     return part;
   }
   bool take(Outcome part, double end) {
-    const std::size_t n = y_.size();
-    all_.counters += part.counters;
-    all_.step_ends.insert(all_.step_ends.end(), part.step_ends.begin(), part.step_ends.end());
-    if (all_.detail.empty() || part.status != Status::ok) all_.detail = std::move(part.detail);
-    all_.status = part.status;
-    if (std::isfinite(part.t)) all_.t = part.t;
-    const bool ok = part.status == Status::ok;
-    if (ok) y_.assign(part.states.end() - static_cast<std::ptrdiff_t>(n), part.states.end());
-    // The state at a switch that is not a stop does not belong to the request's states.
-    if (ok && !std::ranges::binary_search(request_.stops, end))
-      part.states.resize(part.states.size() - n);
-    all_.states.insert(all_.states.end(), part.states.begin(), part.states.end());
     t_ = end;
-    return ok;
+    return add_part(all_, std::move(part), request_.stops, end, y_);
   }
 
   const Solver& solver_;
