@@ -26,6 +26,7 @@ TEST(EventReader, ThoseThatAreNotSoundAreRefusedWithTheirPlace) {
       {"- {at: -1, set: {x: 1}}", "6:10: events[1]: at: before the start"},
       {"- {when: x, every: 1, set: {x: 1}}", "6:15: events[1]: every: got one beside `when`"},
       {"- {when: 1 + 1, set: {x: 1}}", "6:12: events[1]: when: got a constant"},
+      {"- {when: log(x - 5), set: {x: 1}}", "6:12: events[1]: when: not finite at the start"},
       {"- {when: x, rising: yes, set: {x: 1}}", "6:23: events[1]: rising: got yes"},
       {"- {when: x, set: {x: q}}", "6:24: events[1]: set: x: unknown name; got q"},
       {"- {when: x, sat: {x: 1}}", "6:15: events[1].sat: an unknown key"},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/formula/evaluator.hpp"
 #include "odeum/formula/reader.hpp"
 #include "odeum/input/near_words.hpp"
 
@@ -28,6 +29,13 @@ bool meet(const Event& a, const Event& b) {
     if (near != b.times.end() && *near <= t + rounding) return true;
   }
   return false;
+}
+
+/// A function without a value has no zero, and its event would be missed in silence.
+bool is_finite_at_start(const Problem& problem, Id function) {
+  long double value = 0;
+  Evaluator<long double>(problem.graph, {function})(problem.t0, problem.y0.data(), &value);
+  return std::isfinite(value);
 }
 
 }  // namespace
@@ -82,6 +90,8 @@ Event Reader::read_event(const YamlNode& node, std::size_t place, const Scope& s
     if (problem_.graph.is_constant(event.when))
       fail(when->value->place, "{}: when: got a constant, expected an expression of states or t",
            path);
+    if (!is_finite_at_start(problem_, event.when))
+      fail(when->value->place, "{}: when: not finite at the start, expected a number", path);
     event.sense = static_cast<int>(rising) - static_cast<int>(falling);
     event.name = scalar(*when->value, path) + (event.sense > 0   ? " rising"
                                                : event.sense < 0 ? " falling"
