@@ -4,6 +4,7 @@
 #include <arkode/arkode_arkstep.h>
 
 #include <cctype>
+#include <string_view>
 #include <utility>
 
 namespace odeum::adapters::sundials {
@@ -74,6 +75,31 @@ const std::vector<ImplicitTable>& implicit_tables() {
                                      ODEUM_TABLE(ESDIRK547L2SA2_7_4_5)},
            ARKodeButcherTable_LoadDIRK);
   return tables;
+}
+
+std::string default_of(const std::string& name) {
+  // The change log of SUNDIALS 7.3.0: the default of an order before, and since.
+  struct Change {
+    int order;
+    std::string_view until, since;
+  };
+  static constexpr Change changes[] = {{2, "HEUN_EULER_2_1_2", "RALSTON_3_1_2"},
+                                       {4, "ZONNEVELD_5_3_4", "SOFRONIOU_SPALETTA_5_3_4"},
+                                       {5, "CASH_KARP_6_4_5", "TSITOURAS_7_4_5"},
+                                       {6, "VERNER_8_5_6", "VERNER_9_5_6"},
+                                       {8, "FEHLBERG_13_7_8", "VERNER_13_7_8"},
+                                       {2, "SDIRK_2_1_2", "ARK2_DIRK_3_1_2"},
+                                       {3, "ARK324L2SA_DIRK_4_2_3", "ESDIRK325L2SA_5_2_3"},
+                                       {4, "SDIRK_5_3_4", "ESDIRK436L2SA_6_3_4"},
+                                       {5, "ARK548L2SA_DIRK_8_4_5", "ESDIRK547L2SA2_7_4_5"},
+                                       {4, "ARK436L2SA_6_3_4", "ARK437L2SA_7_3_4"},
+                                       {5, "ARK548L2SA_8_4_5", "ARK548L2SAb_8_4_5"}};
+  for (const Change& change : changes) {
+    const std::string order = ", default of order " + std::to_string(change.order);
+    if (change.until == name) return order + " until SUNDIALS 7.2.1";
+    if (change.since == name) return order + " since SUNDIALS 7.3.0";
+  }
+  return {};
 }
 
 void create_arkstep(Session& session, ARKRhsFn explicit_part, ARKRhsFn implicit_part) {

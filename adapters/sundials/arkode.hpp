@@ -35,6 +35,11 @@ using ImplicitTable = BuiltInTable<ARKODE_DIRKTableID>;
 const std::vector<ExplicitTable>& explicit_tables();
 const std::vector<ImplicitTable>& implicit_tables();
 
+/// Since when, and until when, a table was the default of its order: ", default of order 5 until
+/// SUNDIALS 7.2.1"; empty where no release that is described here has it so. `name`: as in the
+/// enumerations.
+std::string default_of(const std::string& name);
+
 /// Creates ARKStep in a session for y' = explicit_part + implicit_part, one of which is null.
 void create_arkstep(Session& session, ARKRhsFn explicit_part, ARKRhsFn implicit_part);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <arkode/arkode_arkstep.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "odeum/methods/ars222.hpp"
 #include "odeum/methods/ars443.hpp"
 #include "sundials/arkode.hpp"
+#include "sundials/later_tables.hpp"
 #include "sundials/newton.hpp"
 #include "sundials/session.hpp"
 
@@ -41,9 +43,12 @@ void solve_stages_newly(Session& session) {
 
 enum class Settings { best, library_default };
 
-void build(Session& session, ARKODE_DIRKTableID id, Settings settings) {
+/// Sets the table of an implicit method in ARKStep.
+using SetTable = std::function<int(void* arkstep)>;
+
+void build(Session& session, const SetTable& set_table, Settings settings) {
   create_arkstep(session, nullptr, Session::rhs);
-  check(ARKStepSetTableNum(session.integrator(), id, ARKODE_ERK_NONE), "setting the table");
+  check(set_table(session.integrator()), "setting the table");
   attach_linear_solver(session);
   if (session.fixed_step())
     solve_stages_exactly(session);
@@ -51,22 +56,41 @@ void build(Session& session, ARKODE_DIRKTableID id, Settings settings) {
     solve_stages_newly(session);
 }
 
-Method implicit_method(const ImplicitTable& table, Settings settings) {
-  SolverInfo info = describe_table(
-      "arkstep_" + table.method, "implicit_rk", table.order, table.order_embedded,
-      "ARKODE ARKStep, implicit, built-in table ARKODE_" + table.name + "; Newton iteration");
+Method implicit_method(const std::string& name, int order, int order_embedded,
+                       const std::string& source, Settings settings, SetTable set_table) {
+  SolverInfo info = describe_table("arkstep_" + name, "implicit_rk", order, order_embedded,
+                                   "ARKODE ARKStep, implicit, " + source + "; Newton iteration");
   if (settings == Settings::library_default) {
     info.method += "_default_settings";
     info.fixed = false;
     info.source += ", every setting of its Newton iteration left at the library's default";
   }
-  return {std::move(info), &arkstep_module,
-          [id = table.id, settings](Session& session) { build(session, id, settings); }};
+  return {
+      std::move(info), &arkstep_module,
+      [set = std::move(set_table), settings](Session& session) { build(session, set, settings); }};
+}
+
+Method built_in(const ImplicitTable& table, Settings settings) {
+  return implicit_method(
+      table.method, table.order, table.order_embedded,
+      "built-in table ARKODE_" + table.name + default_of(table.name), settings,
+      [id = table.id](void* arkstep) { return ARKStepSetTableNum(arkstep, id, ARKODE_ERK_NONE); });
+}
+
+Method ark2() {
+  std::shared_ptr<ARKodeButcherTableMem> table = as_butcher_table(ark2_dirk_3_1_2);
+  const std::string name = "ARK2_DIRK_3_1_2";
+  return implicit_method("user_ark2_dirk_3_1_2", ark2_dirk_3_1_2.order, ark2_dirk_3_1_2.order_hat,
+                         "with the table ARKODE_" + name + " of SUNDIALS 7.3.0" + default_of(name),
+                         Settings::best, [table](void* arkstep) {
+                           return ARKStepSetTables(arkstep, table->q, table->p, table.get(),
+                                                   nullptr);
+                         });
 }
 
 /// A pair of tables: what sets it, and its orders.
 Method imex_method(const std::string& name, int order, int order_embedded,
-                   const std::string& source, std::function<int(void* arkstep)> set_tables) {
+                   const std::string& source, SetTable set_tables) {
   SolverInfo info = describe_table("arkstep_imex_" + name, "imex_rk", order, order_embedded,
                                    "ARKODE ARKStep, additive, " + source + "; Newton iteration");
   info.needs = ForSplit::needs;
@@ -85,14 +109,15 @@ Method imex_method(const std::string& name, int order, int order_embedded,
 
 /// A built-in pair, whose two tables differ by a word in their names.
 Method built_in_pair(const ImplicitTable& implicit, const ExplicitTable& explicit_table) {
-  std::string name = implicit.method;
-  name.erase(name.find("_dirk"), std::string("_dirk").size());
-  return imex_method(
-      name, implicit.order, implicit.order_embedded,
-      "built-in tables ARKODE_" + implicit.name + " and ARKODE_" + explicit_table.name,
-      [i = implicit.id, e = explicit_table.id](void* arkstep) {
-        return ARKStepSetTableNum(arkstep, i, e);
-      });
+  const auto without = [](std::string name, const char* word) {
+    return name.erase(name.find(word), std::string(word).size());
+  };
+  return imex_method(without(implicit.method, "_dirk"), implicit.order, implicit.order_embedded,
+                     "built-in tables ARKODE_" + implicit.name + " and ARKODE_" +
+                         explicit_table.name + default_of(without(implicit.name, "_DIRK")),
+                     [i = implicit.id, e = explicit_table.id](void* arkstep) {
+                       return ARKStepSetTableNum(arkstep, i, e);
+                     });
 }
 
 /// The coefficients of an own method.
@@ -127,12 +152,13 @@ std::vector<Method> arkode_imex_methods() {
 std::vector<Method> arkode_implicit_methods() {
   std::vector<Method> list;
   for (const ImplicitTable& table : implicit_tables())
-    list.push_back(implicit_method(table, Settings::best));
+    list.push_back(built_in(table, Settings::best));
+  list.push_back(ark2());
   // The library's default tables of orders 2 to 5 again, as they come: what the settings gain.
   for (const ImplicitTable& table : implicit_tables())
     for (const int id : {ARKSTEP_DEFAULT_DIRK_2, ARKSTEP_DEFAULT_DIRK_3, ARKSTEP_DEFAULT_DIRK_4,
                          ARKSTEP_DEFAULT_DIRK_5})
-      if (table.id == id) list.push_back(implicit_method(table, Settings::library_default));
+      if (table.id == id) list.push_back(built_in(table, Settings::library_default));
   return list;
 }
 

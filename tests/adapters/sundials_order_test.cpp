@@ -57,7 +57,10 @@ TEST(SundialsCatalogue, NamesAreUniqueAndEverySolverFits) {
 
 TEST(SundialsOrder, AtAFixedStepIsWhatTheTableClaims) {
   for (const Entrant& entrant : entrants<Witch>({1, 0})) {
-    if (!entrant.info.fixed) continue;
+    // The terms of the next orders are larger than those of Verner's most efficient pairs down to
+    // rounding: sundials_later_tables_test.cpp.
+    if (!entrant.info.fixed || entrant.info.method.find("_user_verner_") != std::string::npos)
+      continue;
     // Slopes of successive halvings, from where the error is small enough to be asymptotic (1e-2)
     // to what lies above rounding and Newton's tolerance, or above the floor that coefficients of
     // 12 digits leave (the finding on Cash's tables).
