@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes reports/measured/peers.csv to standard output: the settings that the documentation of each
 // library leaves open, measured with the library alone; with the argument `bullet`
-// reports/measured/peers_bullet.csv.
+// reports/measured/peers_bullet.csv, with `sundials_defaults` that file.
 #include "bench/peers/peers.hpp"
 
 #include <fmt/format.h>
@@ -17,13 +17,7 @@
 #include "odeum/cases/catalogue.hpp"
 
 namespace odeum::peers {
-namespace {
 
-constexpr double tolerances[] = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
-constexpr double wanted_errors[] = {1e-2, 1e-4, 1e-6};
-constexpr double unreached = std::numeric_limits<double>::infinity();
-
-/// At the horizon, relative to the largest component there.
 double error_at_end(const Case& c, const std::vector<double>& y) {
   std::vector<double> exact(y.size());
   c.truth.at(c.stops.back(), exact.data());
@@ -34,6 +28,21 @@ double error_at_end(const Case& c, const std::vector<double>& y) {
   }
   return std::isfinite(error) ? error / size : unreached;
 }
+
+double cost_of(double error, const std::vector<Solved>& runs, double Solved::*cost) {
+  double best = unreached;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (runs[k].error <= error) best = std::min(best, runs[k].*cost);
+    if (k == 0 || !(runs[k - 1].error > error && runs[k].error < error)) continue;
+    const double part =
+        std::log(runs[k - 1].error / error) / std::log(runs[k - 1].error / runs[k].error);
+    best = std::min(
+        best, std::exp((1 - part) * std::log(runs[k - 1].*cost) + part * std::log(runs[k].*cost)));
+  }
+  return best;
+}
+
+namespace {
 
 double processor_microseconds() { return 1e6 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -58,26 +67,6 @@ struct Sums {
   long steps = 0, evaluations = 0;
   Costs time_to, evaluations_to;
 };
-
-/// A solved run.
-struct Solved {
-  double error, time, evaluations;
-};
-
-/// The least cost of a run of at most that error; the cost on the line between two neighbouring
-/// tolerances, in logarithms, where that is less.
-double cost_of(double error, const std::vector<Solved>& runs, double Solved::*cost) {
-  double best = unreached;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (runs[k].error <= error) best = std::min(best, runs[k].*cost);
-    if (k == 0 || !(runs[k - 1].error > error && runs[k].error < error)) continue;
-    const double part =
-        std::log(runs[k - 1].error / error) / std::log(runs[k - 1].error / runs[k].error);
-    best = std::min(
-        best, std::exp((1 - part) * std::log(runs[k - 1].*cost) + part * std::log(runs[k].*cost)));
-  }
-  return best;
-}
 
 Sums measure(const Alternative& alternative, const std::vector<const Case*>& cases) {
   Sums sums;
@@ -154,6 +143,10 @@ int main(int argc, char** argv) {
                                        "brusselator2", "henon_heiles_regular"});
   if (argc > 1 && std::string(argv[1]) == "bullet") {
     fmt::print("{}", peers::bullet_rows().csv());
+    return 0;
+  }
+  if (argc > 1 && std::string(argv[1]) == "sundials_defaults") {
+    fmt::print("{}", peers::sundials_default_rows().csv());
     return 0;
   }
   record::Records table{{"solver", "choice", "setting", "solved", "runs", "steps", "evaluations",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,22 @@ struct Counted {
   }
 };
 
+constexpr double tolerances[] = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
+constexpr double wanted_errors[] = {1e-2, 1e-4, 1e-6};
+constexpr double unreached = std::numeric_limits<double>::infinity();
+
+/// At the horizon, relative to the largest component there; infinite where it is not a number.
+double error_at_end(const Case& c, const std::vector<double>& y);
+
+/// A solved run.
+struct Solved {
+  double error, time, evaluations;
+};
+
+/// The least cost of a run of at most that error; the cost on the line between two neighbouring
+/// tolerances, in logarithms, where that is less.
+double cost_of(double error, const std::vector<Solved>& runs, double Solved::*cost);
+
 struct Alternative {
   std::string setting;
   bool taken;  ///< by the adapter
@@ -45,6 +62,8 @@ struct Choice {
 std::vector<Choice> sundials_choices();
 std::vector<Choice> gsl_choices();
 std::vector<Choice> odeint_choices();
+/// ARKODE's default tables before and since SUNDIALS 7.3.0, a row a case: reports/peers.md.
+record::Records sundials_default_rows();
 /// The rows on Bullet, which runs scenes at fixed steps; none where it is not built.
 record::Records bullet_rows();
 
