@@ -6,7 +6,7 @@
     facts, sameError, isClosedForm, idOf, html, addressOf, settingText, colourOf, times, number,
     whyNotReached, shapeOf, duration, plural, rangeOf, plot, leadOf, workText, moreText, commandOf,
     disturbedText, fastestEigenvalue, limitNumber, growsAsFast, stableText, limitOf, writeAddress,
-    showAgain, choices, loadCase, measuredCases, equationOf,
+    showAgain, choices, loadCase, measuredCases, equationOf, missingNote,
   } = odeum;
 
   const askedErrors = ['1e-3', '1e-6', '1e-9'];
@@ -233,7 +233,7 @@
       return host.replaceChildren(
         html('p', { class: 'missing' }, 'This report has none of the problems of this page.'),
       );
-    const question = asked.find((q) => q.case === choice.case) || asked[0];
+    const found = asked.find((q) => q.case === choice.case), question = found || asked[0];
     const error = askedErrors.includes(choice.error) ? choice.error : '1e-6';
     const turn = (change) => {
       const next = { case: question.case, error, ...change };
@@ -242,6 +242,9 @@
     };
     const body = html('div', { class: 'answer-body', 'aria-live': 'polite' });
     host.replaceChildren(
+      ...(choice.case && !found
+        ? [missingNote('answer for the case', choice.case, question.case)]
+        : []),
       html(
         'div', { class: 'controls' },
         choices(

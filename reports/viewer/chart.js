@@ -82,10 +82,6 @@
           svg('path', {
             class: level.shaded ? 'guide dotted' : 'asked', d: `M${size.left} ${at}H${size.right}`,
           }),
-          svg(
-            'text', { class: 'note', x: size.left + 4, y: level.shaded ? at + 12 : at - 4 },
-            level.text || '',
-          ),
         ];
       }),
     spec.diagonal
@@ -101,6 +97,20 @@
         })
       : null,
   ];
+
+  // Their texts stand above the curves.
+  const drawLevelTexts = (size, y, levels) =>
+    levels
+      .filter((level) => y.holds(level.y))
+      .map((level) =>
+        svg(
+          'text',
+          {
+            class: 'note over', x: size.left + 4, y: y.at(level.y) + (level.shaded ? 12 : -4),
+          },
+          level.text || '',
+        ),
+      );
 
   // Lines error ~ x^order through the upper right of the field.
   const drawSlopes = (size, x, y, orders) =>
@@ -224,6 +234,7 @@
       drawSlopes(size, x, y, spec.slopes || []),
       svg('path', { class: 'cloud', d: dots }),
       spec.curves.map((curve) => drawCurve(curve, x, y)),
+      drawLevelTexts(size, y, spec.levels || []),
       room ? drawNames(size, x, y, named, texts) : [],
     );
     host.classList.add('plot-host');

@@ -7,7 +7,7 @@
     html, save, csv, wide, number, notDrawnText, plural, rangeOf, plot, vertical, horizontal,
     duration, tellRun, facts, runsOf, most, sensible, measuredCases, loadCase, writeAddress,
     showAgain, toldApart, curveOf, select, choices, colourOf, front, finder, readAddress, nameOfRun,
-    showRun, statusText,
+    showRun, statusText, missingNote,
   } = odeum;
 
   // curves
@@ -194,6 +194,7 @@
       panel = html('div', { class: 'run-panel', hidden: true, 'aria-live': 'polite' });
     const titled = measured.map((m) => [m.id, `${m.title} (${m.id})`]);
     host.replaceChildren(
+      ...(given.case && given.case !== id ? [missingNote('measured case', given.case, id)] : []),
       html(
         'div', { class: 'controls' },
         select('problem', titled, id, (value) =>

@@ -5,6 +5,7 @@
   const {
     facts, matches, html, addressOf, idOf, orderText, isClosedForm, times, duration, number,
     failureText, limitNumber, sameError, measuredCases, plural, wide, loadCase,
+    missingNote,
   } = odeum;
 
   const methodList = (filter) => {
@@ -169,6 +170,7 @@
         html('summary', {}, `All ${plural(facts.solvers.length, 'method')}`), search, list,
       ),
     );
+    if (!solver && choice.solver) shown.replaceChildren(missingNote('solver', choice.solver));
     if (!solver) return;
     const body = html('tbody', {});
     shown.replaceChildren(

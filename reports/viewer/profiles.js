@@ -20,7 +20,7 @@
 
   const keepsError = (row, error) =>
     row.repetitions > 0 && row.wall_ns_min > 0 && row.error <= error &&
-    !(row.near_error > 2 * error);
+    !(row.near_error > error && row.near_error > Math.min(2 * error, 4 * row.error));
 
   // [{case, error, tried: names that have runs on the case, times: Map of names to nanoseconds}] of
   // the questions that somebody answers. `rows` are objects, `names[k]` who rows[k] belongs to.

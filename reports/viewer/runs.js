@@ -5,8 +5,8 @@
 'use strict';
 (() => {
   const {
-    html, svg, spanOf, rangeOf, plot, number, legendOf, save, idOf, rowsOf, tableOf, statusText,
-    settingText, facts, replaysInStep,
+    html, svg, spanOf, rangeOf, plot, number, legendOf, save, idOf, rowsOf, tableOf, settingText,
+    facts, replaysInStep,
   } = odeum;
 
   const mostComponents = 6;
@@ -136,11 +136,14 @@
   };
 
   const caseFigures = async (host, about, runs) => {
-    const [trajectory, steps, schemes, bounds] = await Promise.all(
-      ['trajectory', 'steps', 'schemes', 'why'].map((name) => rowsOf(name)),
+    const [trajectory, steps, schemes, bounds, curves] = await Promise.all(
+      ['trajectory', 'steps', 'schemes', 'why', 'curves'].map((name) => rowsOf(name)),
     );
+    // Outputs step over what is fast; the ends of steps do not.
+    const between = new Map(bySolver(curves, runs).map(({ key, rows }) => [key, rows]));
     const groups = bySolver(trajectory, runs).map((group) => ({
       ...group, loose: group.exact && !about.exact_everywhere,
+      rows: d3.sort([...group.rows, ...(between.get(group.key) || [])], (row) => row.time),
     }));
     const closed = bySolver(schemes, runs).map((group) => ({
       ...group, name: `${group.name}, its own closed form`, dashed: true,
@@ -238,39 +241,47 @@
 
   // The fields for each kind of page; fields.js has more.
   const pageFigures = { case: caseFigures, scene: sceneFigures };
-  const runTable = (about, runs, size) => {
-    const result = about.kind === 'scene' ? 'change of energy (J)' : 'error at the end';
+  // What the judge says of a run that ended; a fixed step promises no error.
+  const answerText = (run) => {
+    const said = run.answer_reason ? `: ${run.answer_reason}` : '';
+    if (run.answer === 'none') return '';
+    if (run.answer === 'not_applicable') return run.answer_reason || 'no error was promised';
+    return (
+      run.answer +
+      (said || (Number.isFinite(run.explained_error)
+        ? `: tolerance, steps and amplification explain up to ${number(run.explained_error, 2)}`
+        : ''))
+    );
+  };
+  const runTable = (about, runs) => {
+    const scene = about.kind === 'scene',
+      count = (value) => ({ text: value.toLocaleString('en'), value }),
+      size = (value) => ({ text: number(value, 4), value });
     return tableOf(
-      ['solver', 'status', 'setting', 'steps', 'rejected', 'evaluations', result].map((text) => ({
-        text,
-      })),
+      [
+        'solver', 'status', 'answer', `error, ${about.unit}`, 'setting', 'steps', 'rejected',
+        'evaluations', ...(scene ? ['change of energy (J)'] : []),
+      ].map((text) => ({ text })),
       runs.map((run) => ({
         cells: [
           { text: idOf(run) },
           {
-            text: statusText(run, size),
-            class: statusText(run, size) === 'ok' ? undefined : 'reason',
+            text: run.status + (run.detail ? `: ${run.detail}` : ''),
+            class: run.status === 'ok' ? undefined : 'reason',
           },
-          { text: settingText(run) },
-          ...[run.steps, run.rejected_steps, run.rhs_evaluations].map((value) => ({
-            text: value.toLocaleString('en'), value,
-          })),
-          ((end) => ({ text: number(end, 4), value: end }))(
-            about.kind === 'scene' ? run.energy_change : run.error,
-          ),
+          { text: answerText(run), class: run.answer === 'wrong' ? 'reason' : undefined },
+          size(run.error_max), { text: settingText(run) },
+          ...[run.steps, run.rejected_steps, run.rhs_evaluations].map(count),
+          ...(scene ? [size(run.energy_change)] : []),
         ],
       })),
     );
   };
-  // The largest component of the exact solution that is measured; NaN where none is known.
-  const sizeOf = async (about) => {
-    const truth = about.kind === 'case' ? (await rowsOf('trajectory')).objects() : [];
-    const names = (about.measured || []).map((i) => about.components[i]);
-    const sizes = truth
-      .filter((row) => row.library === 'truth')
-      .flatMap((row) => names.map((name) => Math.abs(row[name])));
-    return d3.max(sizes) ?? NaN;
-  };
+  // What else the runs show, a line each.
+  const remarksOf = (runs) =>
+    runs
+      .filter((run) => run.remarks)
+      .map((run) => html('p', { class: 'remark' }, `${idOf(run)}: ${run.remarks}.`));
   const showRuns = async (host) => {
     const about = facts.runs, runs = (await rowsOf('runs')).objects();
     document.title = `${about.title} – Odeum`;
@@ -282,7 +293,7 @@
         about.facts.map(([name, text]) => [html('dt', {}, name), html('dd', {}, text)]),
       ),
     );
-    if (runs.length) host.append(runTable(about, runs, await sizeOf(about)));
+    if (runs.length) host.append(runTable(about, runs), ...remarksOf(runs));
     const figures = html('div', { class: 'figures' });
     host.append(figures);
     await pageFigures[about.kind](figures, about, runs);

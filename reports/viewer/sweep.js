@@ -3,7 +3,7 @@
 // quantiles of the components over time.
 'use strict';
 (() => {
-  const { svg, plot, number, spanOf, figureOf, rowsOf, pageFigures } = odeum;
+  const { html, svg, plot, number, spanOf, figureOf, rowsOf, pageFigures } = odeum;
 
   const wide = ({ low, high }) => (high > low ? [low, high] : [low, low + 1]);
 
@@ -42,7 +42,22 @@
         );
       }),
     );
-    host.lastChild.append(`From ${number(low, 4)} (dark) to ${number(high, 4)} (light).`);
+    host.lastChild.append(
+      html(
+        'p', { class: 'scale' }, number(low, 4),
+        svg(
+          'svg', { viewBox: '0 0 128 10', width: 256, height: 12, 'aria-hidden': 'true' },
+          d3.range(32).map((k) =>
+            svg('rect', {
+              x: 4 * k, y: 0, width: 4.3, height: 10, fill: d3.interpolateViridis((k + 0.5) / 32),
+            }),
+          ),
+        ),
+        number(high, 4),
+      ),
+      `A cell has ${title === 'Share solved' ? 'the share' : 'the median'} of the members whose ` +
+        `${across.name} and ${up.name} lie in it; in a red one none was solved.`,
+    );
   };
 
   // Over one parameter: the median of the members of each of its values.

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Replays in frames, moved together by one set of controls and with one camera.
+// Replays in frames, moved together by one set of controls, with one camera and one scale.
 'use strict';
 (() => {
   const { html, blocks, prepare, emptyText, idOf } = odeum;
 
-  // Replays in frames, moved together by one set of controls and with one camera: {name, address}.
+  // The scales of all replays: the widest of each.
+  const widest = (scales) => ({
+    fastest: d3.max(scales, (each) => each.fastest),
+    strain: d3.max(scales, (each) => each.strain),
+    offset: d3.min(scales, (each) => each.offset),
+    kinetic: d3.extent(scales.flatMap((each) => each.kinetic)),
+    others: d3.extent(scales.flatMap((each) => each.others)),
+    coordinate: d3.extent(scales.flatMap((each) => each.coordinate)),
+  });
+  // Replays in frames, moved together by one set of controls, with one camera and one scale:
+  // {name, address}.
   const replaysInStep = (host, replays) => {
     const frames = replays.map(({ name, address }) =>
       html('iframe', { src: address, title: `replay of ${name}` }),
     );
     const state = {
-      duration: 0, time: 0, playing: false, before: null, camera: null, ready: new Set(),
+      duration: 0, time: 0, playing: false, before: null, camera: null, ready: new Map(),
     };
     const tell = (message, except) => {
       for (const frame of frames)
@@ -61,11 +71,12 @@
       if (!host.isConnected) return removeEventListener('message', hear);
       if (from < 0 || !event.data) return null;
       if (event.data.odeum === 'ready') {
-        state.ready.add(from);
+        state.ready.set(from, event.data.scales);
         state.duration = Math.max(state.duration, event.data.duration);
         range.max = state.duration;
         document.documentElement.dataset.ready = state.ready.size;
         if (state.camera) tell({ odeum: 'camera', camera: state.camera });
+        tell({ odeum: 'scales', scales: widest([...state.ready.values()]) });
         show();
       }
       // At first the view of the first replay, later that of the one that was turned.

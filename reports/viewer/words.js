@@ -2,13 +2,20 @@
 // The rules by which measured facts become sentences: all of them are here.
 'use strict';
 (() => {
-  const { number, shorten, duration, plural, idOf, times, functions, facts } = odeum;
+  const { html, number, shorten, duration, plural, idOf, times, functions, facts } = odeum;
 
   const sameError = (a, b) => Math.abs(Math.log10(a / b)) < 0.01;
   const settingText = (row) =>
     row.setting_kind === 'tol' || row.mode === 'adaptive'
-      ? `tolerance ${number(row.setting)}`
-      : `step ${number(row.setting)}`;
+      ? `tolerance ${number(row.setting ?? row.tolerance)}`
+      : `step ${number(row.setting ?? row.step)}`;
+
+  // Above a view whose address names what the report does not have.
+  const missingNote = (kind, asked, shown) =>
+    html(
+      'p', { class: 'missing', role: 'alert' },
+      `This report has no ${kind} ${asked}${shown ? `; shown is ${shown}` : ''}.`,
+    );
 
   // What a status means to a reader.
   const endings = {
@@ -242,7 +249,7 @@
   };
 
   Object.assign(odeum, {
-    sameError, settingText, statusText, commandOf, whyNotReached, workText, leadOf, moreText,
+    sameError, settingText, statusText, missingNote, commandOf, whyNotReached, workText, leadOf, moreText,
     stableText, disturbedText, notDrawnText, notKeptText, solutionText, failureText,
   });
 })();

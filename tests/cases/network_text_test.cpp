@@ -89,5 +89,12 @@ TEST(Networks, FaultsHaveTheirLine) {
   expect("begin species\nend species\n", "n.net:1:1:", "no block of reactions");
 }
 
+// A word that is not a name was given another ending for ever.
+TEST(Networks, ANameThatIsNoneIsMadeOne) {
+  std::string text = network("  1 1 4 k", "  1 B_tot 2");
+  text.insert(text.find("begin parameters\n") + 17, "  ! 2 E0 10\n");
+  EXPECT_NE(cases::text_of_network("n.net", text, 1).find("n2: E010"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace odeum::network_text_test

@@ -71,7 +71,7 @@ class BadPlugins : public testing::Test {
     return " --plugin '" + base.string() + ".so' ";
   }
   Result odeum(const std::string& words) const {
-    return shell("cd '" + folder_.path().string() + "' && timeout -k 1 20 '" ODEUM_BINARY "' " +
+    return shell("cd '" + folder_.path().string() + "' && timeout -k 1 100 '" ODEUM_BINARY "' " +
                  words);
   }
   std::string output(const std::string& words) const {

@@ -6,6 +6,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "support/program.hpp"
@@ -67,6 +68,29 @@ TEST(DocumentCommands, AndTheirOptionsExist) {
       }
     }
   EXPECT_GE(commands, 100U) << "the documents were not read";
+}
+
+TEST(DocumentCommands, HelpEndsWithTwoThatExist) {
+  std::istringstream all(shell("odeum help").output);
+  std::size_t commands = 0;
+  bool listed = false;
+  for (std::string line; std::getline(all, line);) {
+    listed = listed || line == "Questions:";
+    if (!listed || !line.starts_with("  ") || line[2] == ' ') continue;
+    const std::string name = line.substr(2, line.find(' ', 2) - 2), &help = help_of(name);
+    const std::size_t at = help.find("\nExamples:\n");
+    ASSERT_NE(at, std::string::npos) << name;
+    static const std::regex example("\n  (?:seq [^\n]*)?odeum ([a-z]+)([^\n]*)");
+    const std::string text = help.substr(at + 10);
+    std::size_t examples = 0;
+    for (std::sregex_iterator each(text.begin(), text.end(), example), end; each != end; ++each) {
+      expect_known(name, (*each)[1], (*each)[2]);
+      ++examples;
+    }
+    EXPECT_EQ(examples, 2U) << help;
+    ++commands;
+  }
+  EXPECT_GE(commands, 30U);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(Reproduce, TheCommandThatSaysMoreOfASceneHasItsTolerances) {
 TEST(Reproduce, WhatAStudyDoesNotTakeIsRefusedForAScene) {
   for (const char* option : {"--frames 3", "--max-particles 9", "--max-megabytes 1"}) {
     const Result result =
-        shell(fmt::format("odeum run chain --solver rk4 --step 0.01 {} --format json", option));
+        shell(fmt::format("odeum run chain --solver rk4 --step 0.01 {} --stops orders", option));
     EXPECT_EQ(result.code, 2) << result.output;
     EXPECT_NE(result.output.find("as studies run it"), std::string::npos) << result.output;
   }

@@ -37,11 +37,16 @@ TEST(RunOutputs, ChangeNoCountAndNoEnd) {
         "arkode/arkstep_kvaerno_7_4_5", "cvode/bdf", "gsl/rk8pd", "odeint/runge_kutta_dopri5",
         "odeum/verner98", "odeum/esdirk43", "odeum/radau_iia5", "odeum/rk4"})
     run += std::string(" --solver ") + solver;
-  // What is said of the truth depends on the times at which it is asked for.
-  const std::string rows = " 2>/dev/null | grep -vE 'truth|floor|explained_error'";
-  const std::string alone = shell(run + rows).output;
+  const auto rows = [](const std::string& command) {
+    auto json = nlohmann::json::parse(shell(command + " 2>/dev/null").output);
+    // What is said of the truth depends on the times at which it is asked for.
+    for (auto& row : json["runs"])
+      for (const char* key : {"truth", "floor", "explained_error", "states"}) row.erase(key);
+    return json.dump(1);
+  };
+  const std::string alone = rows(run);
   EXPECT_NE(alone.find("evaluations"), std::string::npos) << alone;
-  EXPECT_EQ(shell(run + " --out " + folder.path().string() + rows).output, alone);
+  EXPECT_EQ(rows(run + " --out " + folder.path().string()), alone);
 }
 
 // The table of an explicit method's run on a stiff problem had 10^7 rows, and took 10 GB to make.

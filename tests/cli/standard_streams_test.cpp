@@ -112,5 +112,28 @@ TEST_P(StandardStreams, AClosedOutputIsAnErrorOfWriting) {
 
 INSTANTIATE_TEST_SUITE_P(Each, StandardStreams, testing::ValuesIn(commands));
 
+TEST(ClosedPipe, IsQuiet) {
+  const Result result =
+      shell("odeum list solvers --format json | head -n 1; echo ${PIPESTATUS[0]}");
+  EXPECT_EQ(result.output, "[\n0\n");
+}
+
+TEST(ClosedPipe, KeepsFilesAndExitCode) {
+  const tests::TemporaryFolder folder;
+  // `true` has ended when the program starts: its first line finds the pipe closed.
+  const auto unread = [](const std::string& command) {
+    return shell("{ sleep 0.2; " + command + "; } | true; echo ${PIPESTATUS[0]}").output;
+  };
+  EXPECT_EQ(unread("odeum run free_fall --solver rk4 --step 0.5 --out " +
+                   (folder.path() / "one").string()),
+            "0\n");
+  EXPECT_TRUE(fs::exists(folder.path() / "one" / "index.html"));
+  EXPECT_EQ(
+      unread("odeum run spinning_pair --until 0.5 --out " + (folder.path() / "scene").string()),
+      "0\n");
+  EXPECT_TRUE(fs::exists(folder.path() / "scene" / "replay.html"));
+  EXPECT_EQ(unread("odeum run dahlquist_real --solver implicit_euler_fixed_point --step 2"), "3\n");
+}
+
 }  // namespace
 }  // namespace odeum::standard_streams_test

@@ -123,7 +123,9 @@ TEST(Words, BashCompletes) {
   EXPECT_EQ(completed("odeum list --format j"), "json\n");
   EXPECT_EQ(completed("odeum list sce"), "scenes\n");
   EXPECT_EQ(completed("odeum run --solver odeum/rodas5"), "odeum/rodas5p\n");
+  EXPECT_EQ(completed("odeum run --solver rodas5"), "rodas5p\n");
   EXPECT_EQ(completed("odeum run lotka_v"), "lotka_volterra\n");
+  EXPECT_EQ(completed("odeum why spherical_p"), "spherical_pendulum\n");
 }
 
 // Every command and option stands in all of them.

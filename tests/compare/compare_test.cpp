@@ -182,5 +182,17 @@ TEST(Compare, TellsTheSlowerOfTwoCommands) {
   }
 }
 
+// A column twice in a damaged header ended the program.
+TEST(Compare, AColumnTwiceIsNoTable) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a", "b"}) {
+    fs::create_directory(folder.path() / name);
+    write_text(folder.path() / name / "manifest.json", "{\"libraries\": [7]}");
+    write_text(folder.path() / name / "x.csv", "schema,nan,,\n1,2,3,4\n");
+  }
+  EXPECT_THROW(compare::compare_folders(folder.path() / "a", folder.path() / "b", {}, 0),
+               FileError);
+}
+
 }  // namespace
 }  // namespace odeum::tests::compare_test

@@ -5,13 +5,14 @@
 tests/fuzz/campaign.py [--minutes M | --seconds S] [--seed N] [--program FILE] [--kind KIND]... [--keep DIR]
 
 An hour by `tests/fuzz/campaign.py --minutes 60`; the test `fuzz` takes 60 s. Kinds: text, scene, mesh, members, tableau,
-model, plan, part, cache, signal. A file of each is damaged (bytes, spans, lines, numbers, words), and commands read it. Each
+model (an FMU), species (SBML), network, brought (trajectories that `judge` reads), folder (that `compare` reads), plan, part,
+cache, signal. A file of each is damaged (bytes, spans, lines, numbers, words), and commands read it. Each
 has to end with an exit code of the contract, by itself or within 5 s of a SIGTERM that comes after 10 s, with at most 4 GB of
 memory, without a word of an abort, and with nothing left in its working folder, its temporary folder, and, of what is
 unfinished, in its cache. A damaged plan or part is refused, or gives the same rows; a damaged cache gives the same output. By
 `signal` commands that read no damaged file are ended at a random time. The input of a failure is kept in DIR (fuzz-failures).
 Exit code 1 where something failed. Needs the standard library alone."""
-import argparse, io, json, os, pathlib, random, re, resource, shutil, signal, subprocess, sys, tempfile, time, zipfile
+import argparse, io, json, os, pathlib, random, re, resource, shutil, signal, struct, subprocess, sys, tempfile, time, zipfile
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 patience, heard, memory = 10, 5, 4 << 20  # seconds, seconds, kB
@@ -86,6 +87,9 @@ class Campaign:
             "members": [b"k\n1\n2\n0.5\n", b"k, x0\n1,2\n3,4\n"],
             "tableau": texts("cases/tableaus/*.yaml"),
             "model": [self.model(version) for version in (2, 3)],
+            "species": texts("tests/outside/sbml/*.xml"),
+            "network": texts("tests/outside/networks/*.net"),
+            "brought": [b"t,x\n0,1\n0.5,0.6\n1,0.37\n2,0.14\n", b"# t x\n0 1\n1 0.4\n2 0.1\n", self.array()],
         }
         for folder in (self.place, self.temporary, self.cache):
             folder.mkdir()
@@ -98,6 +102,12 @@ class Campaign:
             platform = "linux64" if version == 2 else "x86_64-linux"
             zipped.writestr(f"binaries/{platform}/oscillator.so", b"\x7fELF")
         return archive.getvalue()
+
+    @staticmethod
+    def array():
+        """Three rows of t and x in NumPy's format."""
+        head = b"{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }".ljust(117) + b"\n"
+        return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head + struct.pack("<6d", 0, 1, 1, 0.4, 2, 0.1)
 
     def run(self, arguments, codes=(0, 1, 2, 3, 4, 130), compiler=True, patience=patience):
         """Its exit code and standard output; a Failure where it does not end well."""
@@ -185,6 +195,30 @@ class Campaign:
     def model_file(self):
         self.run(["list", "solvers", self.file("model", "model.fmu")])
 
+    def species(self):
+        self.run(["run", self.file("species", "model.xml"), "--solver", "heun", "--step", "0.1", "--until", "0.5", "--no-truth"],
+                 compiler=False)
+
+    def network(self):
+        self.run(["run", self.file("network", "model.net"), "--solver", "heun", "--step", "0.1", "--until", "0.5", "--no-truth"],
+                 compiler=False)
+
+    def brought(self):
+        (self.place / "decay.yaml").write_text(decay)
+        name = self.rng.choice(["euler_h0.5.csv", "a.npy", "b.txt"])
+        self.run(["judge", "decay.yaml", self.file("brought", name), *self.rng.choice([[], ["--claims", "heun"], ["--map", "x=1"]])])
+
+    def folder(self):
+        """Two folders of one study, of which a file of the second is damaged."""
+        if not (self.base / "before").exists():
+            self.run(["converge", "--case", "free_fall", "--solver", "heun", "--quick", "--out", "out"], codes=(0,))
+            shutil.move(self.place / "out", self.base / "before")
+        for name in ("before", "after"):
+            shutil.copytree(self.base / "before", self.place / name)
+        file = self.rng.choice([path for path in (self.place / "after").iterdir() if path.suffix in (".csv", ".json")])
+        file.write_bytes(damaged(file.read_bytes(), self.rng, [file.read_bytes()]))
+        self.run(["compare", "before", "after", *self.rng.choice([[], ["--within", "0.02"], ["--format", "json"]])])
+
     def sweep_words(self):
         return ["sweep", "decay.yaml", "--over", "k=0.1..3:6", "--solver", "rk4", "--step", "0.1", "--check", "0"]
 
@@ -266,7 +300,8 @@ def main():
     parser.add_argument("--kind", action="append")
     parser.add_argument("--keep", default="fuzz-failures")
     given = parser.parse_args()
-    kinds = given.kind or ["text", "scene", "mesh", "members", "tableau", "model", "plan", "part", "cache", "signal"]
+    kinds = given.kind or ["text", "scene", "mesh", "members", "tableau", "model", "species", "network", "brought", "folder",
+                           "plan", "part", "cache", "signal"]
     campaign = Campaign(given.program, given.seed, given.keep)
     end = time.monotonic() + (60 * given.minutes + given.seconds or 60)
     rounds = 0

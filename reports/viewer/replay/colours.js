@@ -22,15 +22,18 @@ const shown = (x) =>
 byId('speed-bar').style.background = gradient(speedStops);
 byId('touch-legend').hidden = touches.size === 0;
 byId('strain-bar').style.background = gradient(strainStops);
-byId('speed-max').textContent = `${shown(fastest)} m/s`;
+const showScales = () => {
+  if (!errors.length) byId('speed-max').textContent = `${shown(fastest)} m/s`;
+  byId('strain-low').textContent = `-${shown(100 * strainMax)} %`;
+  byId('strain-high').textContent = `+${shown(100 * strainMax)} %`;
+};
+showScales();
 if (errors.length) {
   byId('speed-name').textContent = `off by ${shown(errorRange[0])}`;
   byId('speed-max').textContent = `${errorRange[1]} m`;
   byId('strain-legend').hidden = true;
   byId('trail-length').value = '10';
 }
-byId('strain-low').textContent = `-${shown(100 * strainMax)} %`;
-byId('strain-high').textContent = `+${shown(100 * strainMax)} %`;
 if (!rest.length) {
   byId('strain-legend').hidden = true;
   byId('springs').parentElement.hidden = true;

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves over time on a canvas: the whole in a faint colour, the part up to the present time in
 // full colour; names above the field, so that they lie on no curve. `range`: its ends, or null.
+const spanOfCurves = (curves) => {
+  let [least, most] = [Infinity, -Infinity];
+  for (const curve of curves)
+    for (let k = 0; k <= last; ++k) {
+      const e = curve.at(k);
+      if (!Number.isFinite(e)) continue;
+      least = Math.min(least, e);
+      most = Math.max(most, e);
+    }
+  return [least, most];
+};
 const drawCurves = (plot, curves, unit, range, t) => {
   const pen = plot.getContext('2d'), w = plot.width, h = plot.height,
     ratio = w / plot.clientWidth || 1;
   const left = 64 * ratio, right = 8 * ratio, bottom = 8 * ratio, top = 20 * ratio;
-  let [least, most] = range || [Infinity, -Infinity];
-  if (!range)
-    for (const curve of curves)
-      for (let k = 0; k <= last; ++k) {
-        const e = curve.at(k);
-        if (Number.isFinite(e)) {
-          least = Math.min(least, e);
-          most = Math.max(most, e);
-        }
-      }
+  let [least, most] = range || spanOfCurves(curves);
   if (!(most > least)) {
     const middle = Number.isFinite(least) ? least : 0;
     least = middle - 1;

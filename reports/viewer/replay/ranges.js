@@ -40,6 +40,6 @@ const sizes = strains
   .filter(Number.isFinite)
   .map(Math.abs)
   .sort((a, b) => a - b);
-const strainMax = sizes.length ? Math.max(sizes[Math.floor(0.98 * (sizes.length - 1))], 1e-6) : 1;
+let strainMax = sizes.length ? Math.max(sizes[Math.floor(0.98 * (sizes.length - 1))], 1e-6) : 1;
 const center = low.map((x, d) => (x + high[d]) / 2);
 const extent = Math.max(Math.hypot(...low.map((x, d) => high[d] - x)), 1e-3);

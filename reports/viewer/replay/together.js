@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inside a page of several replays: that page has the controls, and all have one camera.
+// Inside a page of several replays: that page has the controls, and all have one camera, one scale
+// of colours and of arrows, and one axis of each curve.
 const embedded = window.parent !== window;
 document.body.classList.toggle('embedded', embedded);
 const sameCamera = () => {
@@ -15,6 +16,16 @@ addEventListener('message', (event) => {
       if (id in event.data) byId(id).checked = event.data[id];
     go(event.data.time);
   }
+  if (event.data.odeum === 'scales') {
+    ({ fastest, strain: strainMax, offset } = event.data.scales);
+    const { kinetic, others, coordinate } = event.data.scales;
+    sharedAxes.energy = [
+      Math.min(kinetic[0], others[0] - offset), Math.max(kinetic[1], others[1] - offset),
+    ];
+    sharedAxes.coordinate = coordinate;
+    showScales();
+    dirty = true;
+  }
   if (event.data.odeum === 'camera') {
     Object.assign(camera, event.data.camera);
     dirty = true;
@@ -22,6 +33,12 @@ addEventListener('message', (event) => {
 });
 if (embedded) {
   resize(); // the controls are gone
-  parent.postMessage({ odeum: 'ready', duration }, '*');
+  const scales = {
+    fastest, strain: strainMax, offset,
+    kinetic: spanOfCurves(energies.slice(0, 1)),
+    others: spanOfCurves(energies.slice(1)).map((e) => e + offset),
+    coordinate: spanOfCurves(coordinates),
+  };
+  parent.postMessage({ odeum: 'ready', duration, scales }, '*');
   sameCamera();
 }

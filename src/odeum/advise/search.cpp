@@ -86,7 +86,7 @@ void Search::settle(Candidate& candidate) const {
 }
 
 void Search::refine(Candidate& candidate) {
-  constexpr double eighth = 0.125;
+  constexpr double eighth = 0.125, quarter = 0.25;
   constexpr int most_moves = 4;
   search(candidate, 6, eighth);
   // A tenth of a step keeps from the edge of stability, too.
@@ -94,8 +94,10 @@ void Search::refine(Candidate& candidate) {
                step = candidate.mode == Mode::fixed ? std::min(wide, 1.1) : wide;
   for (int move = 0; candidate.found && move < most_moves && !late(0.9); ++move) {
     const Trial above = run(candidate, in_range(candidate, candidate.found->fineness * step)),
-                below = run(candidate, in_range(candidate, candidate.found->fineness / step));
-    const bool lucky = !below.reaches(2 * wishes_.error);
+                below = run(candidate, in_range(candidate, candidate.found->fineness / step)),
+                close = run(candidate, in_range(candidate, candidate.found->fineness /
+                                                               std::pow(step, quarter)));
+    const bool lucky = !below.reaches(2 * wishes_.error) || !close.reaches(2 * wishes_.error);
     if (above.reaches(2 * wishes_.error) && (!lucky || move + 1 == most_moves)) return;
     if (!above.reaches(wishes_.error)) return;
     candidate.trials.push_back(above);

@@ -17,7 +17,7 @@ struct Word {
   std::vector<std::string> names;  ///< with dashes; empty: an argument without a name
   std::string usage, meaning;
   std::vector<std::string> values;  ///< those that it takes; empty: any, or none
-  std::string listed;               ///< the values are those of `odeum list` with this word
+  std::vector<std::string> listed;  ///< the values are those of `odeum list` with these words
   bool takes_value = false;
 };
 struct Command {
@@ -44,8 +44,9 @@ Word word_of(const CLI::Option& option) {
                                   : fmt::format("{}", fmt::join(word.names, ", "));
   if (word.takes_value && !type.empty()) word.usage += " " + type;
   const std::string first = word.names.empty() ? word.usage : word.names.back();
-  if (first.starts_with("--solver")) word.listed = "solvers";
-  if (first.starts_with("--case") || type.starts_with("CASE")) word.listed = "cases";
+  if (first.starts_with("--solver")) word.listed = {"solvers"};
+  if (first.starts_with("--case") || type.starts_with("CASE")) word.listed = {"cases"};
+  if (type.starts_with("CASE|SCENE")) word.listed = {"cases", "scenes"};
   return word;
 }
 
@@ -65,10 +66,14 @@ std::string names_of(const std::vector<Command>& commands) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
-/// The command that lists what may follow.
+/// The command that lists what may follow; own solvers also without their library.
 std::string listing(const Word& word) {
-  return fmt::format("odeum list {} --format csv 2>/dev/null | cut -d, -f2 | tail -n +2",
-                     word.listed);
+  std::string text;
+  for (const std::string& what : word.listed)
+    text += fmt::format("{}odeum list {} --format csv 2>/dev/null | cut -d, -f2 | tail -n +2{}",
+                        text.empty() ? "" : "; ", what,
+                        what == "solvers" ? " | sed -n -e p -e s,^odeum/,,p" : "");
+  return text;
 }
 
 std::string bash(const std::vector<Command>& commands) {

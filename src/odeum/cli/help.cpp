@@ -47,6 +47,56 @@ std::string wrapped_line(std::string line, std::size_t width) {
   return text + line + '\n';
 }
 
+/// Two commands to paste, by the command.
+struct Examples {
+  std::string_view command, first, second;
+};
+constexpr Examples examples[]{
+    {"run", "odeum run lotka_volterra --solver rk4 --step 0.1",
+     "odeum run hanging_cloth --until 1 --out DIR"},
+    {"advise", "odeum advise kepler_e06 --error 1e-6",
+     "odeum advise my_scene.yaml --frame 1/60 --error 1e-3"},
+    {"why", "odeum why robertson --solver dormand_prince54 --tol 1e-6",
+     "odeum why my.yaml --solver rk4 --step 0.1 --out DIR"},
+    {"judge", "odeum judge osc_under euler_h0.1.csv euler_h0.05.csv --claims explicit_euler",
+     "odeum judge my.yaml sol.npy --map x=2 --map t=1*0.001"},
+    {"precision", "odeum precision lotka_volterra --solver 'gsl/*' --solver rk4 --out DIR",
+     "odeum precision my.yaml --seconds 1"},
+    {"converge", "odeum converge osc_under --solver rk4",
+     "odeum converge my.yaml --solver rodas4 --solver cvode/bdf --out DIR"},
+    {"stability", "odeum stability osc_under --solver midpoint",
+     "odeum stability my.yaml --solver 'odeum/*' --out DIR"},
+    {"limits", "odeum limits robertson_40 --solver rk4", "odeum limits --solver rkc2 --out DIR"},
+    {"drift", "odeum drift kepler_e06 --solver velocity_verlet --solver rk4",
+     "odeum drift my.yaml --solver 'odeum/*' --out DIR"},
+    {"sweep", "odeum sweep lotka_volterra --over a=0.5..2:40 --solver rk4 --step 0.01",
+     "odeum sweep my.yaml --sample 1e5 --over 'k~loguniform(1,1e6)' --solver rodas4 --tol 1e-4"},
+    {"plan", "odeum plan sweep my.yaml --over k=1..9:1000 --solver rodas4 --tol 1e-4 --shards 9",
+     "odeum plan converge --shard-time 30min --out DIR"},
+    {"shard", "odeum shard DIR 0", "seq 0 8 | xargs -P 2 -n 1 odeum shard DIR"},
+    {"merge", "odeum merge DIR --out WHOLE", "odeum merge DIR"},
+    {"status", "odeum status DIR", "odeum merge DIR --resubmit"},
+    {"compare", "odeum compare before after --within 0.02",
+     "odeum compare --commands 'old/odeum run ...' 'new/odeum run ...' --pairs 40"},
+    {"list", "odeum list cases --parameters", "odeum list solvers my.yaml"},
+    {"verify", "odeum verify my_tableau.yaml", "odeum verify my.yaml"},
+    {"classify", "odeum classify 'u_xx + y*u_yy = 0'",
+     "odeum classify damped_oscillator_undamped --solver explicit_euler --step 0.1"},
+    {"poisson", "odeum poisson square:16 --load 1",
+     "odeum poisson my.msh --load 'x*y' --refine 2 --out DIR"},
+    {"doctor", "odeum doctor", "odeum doctor --plugin ./libmine.so"},
+    {"completion", "odeum completion bash", "odeum completion man"},
+    {"help", "odeum help run", "odeum help"},
+    {"reduction", "odeum reduction --solver 'odeum/sdirk*'", "odeum reduction --out DIR"},
+    {"material", "odeum material --solver 'bullet/*'", "odeum material --out DIR"},
+    {"cloth", "odeum cloth --solver symplectic_euler", "odeum cloth --out DIR"},
+    {"cost", "odeum cost --most 1000", "odeum cost --out DIR"},
+    {"mesh", "odeum mesh --solver rk4", "odeum mesh --out DIR"},
+    {"elements", "odeum elements --most 16", "odeum elements --out DIR"},
+    {"evolution", "odeum evolution --most 16", "odeum evolution --out DIR"},
+    {"proof", "odeum proof --solver rk4", "odeum proof --out DIR"},
+    {"report", "odeum report --quick", "odeum report my.yaml --out DIR"}};
+
 }  // namespace
 
 std::string WrappedHelp::make_help(const CLI::App* app, std::string name,
@@ -87,6 +137,10 @@ void group_commands(CLI::App& app) {
     command->group("Laboratory");
     for (const auto& [group, names] : groups)
       if (std::ranges::find(names, command->get_name()) != names.end()) command->group(group);
+    for (const Examples& each : examples)
+      if (each.command == command->get_name())
+        command->footer("Examples:\n  " + std::string(each.first) + "\n  " +
+                        std::string(each.second));
   }
 }
 

@@ -136,8 +136,10 @@ void write_files(const record::OutputFolder& folder, const Case& c,
   }
   std::vector<Entrant> entrants;
   const std::vector<trajectories::CaseRun> shown_runs = page_runs(c, runs, entrants);
-  if (!shown_runs.empty())
-    remark_on_page(trajectories::write_case_page(folder, c, shown_runs, texts));
+  if (shown_runs.empty()) return;
+  std::vector<trajectories::RunRow> rows;
+  for (const trajectories::CaseRun& run : shown_runs) rows.push_back(trajectories::row_of(c, run));
+  remark_on_page(trajectories::write_case_page(folder, c, shown_runs, rows, texts));
 }
 
 int judge_on(Session& session, const JudgeOptions& options) {

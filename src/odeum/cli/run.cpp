@@ -168,15 +168,12 @@ void add_run(CLI::App& app, Session& session, int& result) {
       throw UsageError("--frames: pictures are of a scene's run, and {} is none", options->what);
     if (scene) require_no_choice(options->what, options->problems.chosen);
     if (scene && options->code) throw UsageError("--code takes a case, not a scene");
-    // A study runs a scene as a case; so do rows, whose errors are those of studies.
-    const bool as_case = !options->stops.empty() || options->format != "table";
+    const bool as_case = !options->stops.empty();  // as studies run it
     if (scene && as_case)
       for (const char* of_frames : {"--frames", "--max-particles", "--max-megabytes"})
         if (command->count(of_frames) > 0)
-          throw UsageError(
-              "{}: expected neither --stops nor --format json or csv, with which a scene is run as "
-              "studies run it",
-              of_frames);
+          throw UsageError("{}: expected no --stops, with which a scene is run as studies run it",
+                           of_frames);
     result = scene && !as_case ? run_scene(what, *options) : run_case(session, what, *options);
   });
 }

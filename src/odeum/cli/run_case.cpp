@@ -108,9 +108,9 @@ std::string describe(const Case& c, const CaseRun& run, const RunRow& row) {
   const double end = run.request.stops.back();
   std::string text = fmt::format("solver  {}\n", run.entrant->info.id());
   text += run.request.mode == Mode::fixed
-              ? fmt::format("step    {}, {} steps to t = {}\n", step_of(run.request, c.t0),
-                            run.request.steps, end)
-              : fmt::format("tol     {}, {} steps and {} rejected to t = {}\n",
+              ? fmt::format("step    {:.12g}, {} steps to t = {:.12g}\n",
+                            step_of(run.request, c.t0), run.request.steps, end)
+              : fmt::format("tol     {}, {} steps and {} rejected to t = {:.12g}\n",
                             text_of_tolerance(run.request), outcome.counters.steps,
                             outcome.counters.rejected_steps, end);
   if (run.request.mode == Mode::adaptive && run.request.stops.size() > 1 &&
@@ -154,8 +154,8 @@ std::string why_text(const Case& c, const CaseRun& run, const RunOptions& option
 
 /// Writes the files of the runs and their page; returns the lines that name them.
 std::string write_files(const record::OutputFolder& folder, const Case& c,
-                        const std::vector<CaseRun>& runs, const RunOptions& options,
-                        bool from_file) {
+                        const std::vector<CaseRun>& runs, const std::vector<RunRow>& rows,
+                        const RunOptions& options, bool from_file) {
   trajectories::RunTexts texts{
       .title = c.title,
       .lead = c.id,
@@ -169,11 +169,11 @@ std::string write_files(const record::OutputFolder& folder, const Case& c,
                                                  parameter.meaning);
   const CaseRun& first = runs.front();
   texts.facts.emplace_back(
-      "Setting",
-      first.request.mode == Mode::fixed
-          ? fmt::format("step {}", options.settings.step.value_or(step_of(first.request, c.t0)))
-          : "tolerance " + text_of_tolerance(first.request));
-  const bool page = trajectories::write_case_page(folder, c, runs, texts);
+      "Setting", first.request.mode == Mode::fixed
+                     ? fmt::format("step {:.12g}",
+                                   options.settings.step.value_or(step_of(first.request, c.t0)))
+                     : "tolerance " + text_of_tolerance(first.request));
+  const bool page = trajectories::write_case_page(folder, c, runs, rows, texts);
   remark_on_page(page);
   std::string text;
   for (const std::string file : {"solution.csv", "trajectory.csv", "steps.csv", "index.html"})
@@ -197,7 +197,10 @@ void solve_before_truth(std::vector<CaseRun>& runs, const Case& c, const RunOpti
         first_text(run, c.y0.size(), static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC));
     if (interrupted) return;
   }
-  if (folder && !runs.empty()) write_files(*folder, c, runs, options, from_file);
+  if (!folder || runs.empty()) return;
+  std::vector<RunRow> rows;
+  for (const CaseRun& run : runs) rows.push_back(trajectories::row_of(c, run));
+  write_files(*folder, c, runs, rows, options, from_file);
 }
 
 /// What was found in a file, for people.
@@ -212,8 +215,7 @@ std::string text_of_file(const Case& c, const RunOptions& options) {
 
 void require_solver_and_setting(const RunOptions& options) {
   if (options.solvers.empty())
-    throw UsageError(
-        "--solver is required; a scene's own is taken without --stops, --format json and csv");
+    throw UsageError("--solver is required; a scene's own is taken without --stops");
   if (!has_setting(options.settings))
     throw UsageError("run needs --step or --tol, or --rtol and --atol");
 }
@@ -274,17 +276,15 @@ int run_case(Session& session, const cases::Named& what, const RunOptions& given
     c.truth.source = cases::with_proof(c);
     c.truth = truth_of(c, runs);
   }
-  bool any_close = false;
-  RunRows all;
+  std::vector<RunRow> all;
   for (const CaseRun& run : runs) {
-    const RunRow& row = all.rows.emplace_back(row_of(c, run));
+    const RunRow& row = all.emplace_back(trajectories::row_of(c, run));
     say(describe(c, run, row));
     if (run.outcome.status != Status::ok && !c.problem.events) say(why_text(c, run, options));
-    any_close = any_close || (row.ok() && !row.diverged);
   }
-  if (folder) say(write_files(*folder, c, runs, options, from_file));
-  if (rows) print(options.format == "json" ? record::json_of(all) : record::csv_text(all.rows));
-  return any_close ? success : solver_failed;
+  if (folder) say(write_files(*folder, c, runs, all, options, from_file));
+  if (rows) print_rows(all, options.format, &c, runs);
+  return std::ranges::any_of(all, &RunRow::stands) ? success : solver_failed;
 }
 
 }  // namespace odeum::cli

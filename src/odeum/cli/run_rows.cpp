@@ -7,21 +7,25 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "odeum/cli/run.hpp"
 #include "odeum/judge/errors.hpp"
-#include "odeum/judge/remarks.hpp"
 #include "odeum/record/csv.hpp"
+#include "odeum/record/table.hpp"
 #include "odeum/solvers/settings.hpp"
 
 namespace odeum::cli {
 namespace {
 
-/// The run's state at a stop.
-const double* state_at(const Case& c, const trajectories::CaseRun& run, double time) {
-  const auto stop = std::ranges::find(run.request.stops, time) - run.request.stops.begin();
-  return run.outcome.states.data() + static_cast<std::size_t>(stop) * c.y0.size();
-}
+struct PrintedRow : RunRow {
+  static constexpr const char* file = "runs";
+};
+struct PrintedRows {
+  std::vector<PrintedRow> rows;
+  static auto lists(auto& result) { return std::tie(result.rows); }
+};
 
 /// The error of each component in its own unit, beside its value; of many components only those
 /// with the largest errors in the units of the case.
@@ -29,7 +33,7 @@ std::string errors_by_state(const Case& c, const trajectories::CaseRun& run, dou
   constexpr std::size_t few = 8;
   std::vector<double> exact(c.y0.size());
   if (!c.truth.at(time, exact.data())) return "";
-  const double* const y = state_at(c, run, time);
+  const double* const y = run.state_at(time, c.y0.size());
   const auto in_units = [&](std::size_t i) {
     return std::abs(y[i] - exact[i]) / c.units.of(i, exact[i]);
   };
@@ -49,7 +53,7 @@ std::string errors_by_state(const Case& c, const trajectories::CaseRun& run, dou
                      fmt::join(parts, ", "), more);
 }
 
-std::string error_and_answer(const Case& c, const trajectories::CaseRun& run, const RunRow& row) {
+std::string error_of_run(const Case& c, const trajectories::CaseRun& run, const RunRow& row) {
   const double end = run.request.stops.back();
   if (std::isnan(row.error_time))
     return fmt::format("error   unknown: no truth at t = {}: {}\n", end, c.truth.source);
@@ -61,58 +65,61 @@ std::string error_and_answer(const Case& c, const trajectories::CaseRun& run, co
   if (!c.units.scale.empty()) text += judge::unit_text(c) + ", ";
   text += fmt::format("against {}\n", c.truth.source);
   if (!c.units.scale.empty()) text += errors_by_state(c, run, row.error_time);
-  const judge::JudgedAnswer& judged = row.judged;
-  if (judged.answer == judge::Answer::not_applicable) return text;
-  text += fmt::format("answer  {}", to_string(judged.answer));
-  if (!judged.reason.empty())
-    text += ": " + judged.reason;
-  else
-    text +=
-        fmt::format(": tolerance, steps and amplification explain up to {:.2g}", judged.explained);
-  return text + "\n";
+  return text;
+}
+
+/// The processor's time, by steps and by frames, and what a cost in evaluations does not tell.
+std::string text_of_cost(const Request& request, const scene::RunResult& run, double seconds) {
+  const Counters& counters = run.counters;
+  std::string text = "cost       " + cost_text(counters);
+  const std::uint64_t steps = request.mode == Mode::fixed ? request.steps : counters.steps;
+  text += fmt::format("\ntime       {:.3g} s of the processor", seconds);
+  if (steps > 0)
+    text += fmt::format(", {:.3g} ms a step", 1e3 * seconds / static_cast<double>(steps));
+  if (run.frames.size() > 1)
+    text += fmt::format(", {:.3g} ms a frame of {:.4g} s",
+                        1e3 * seconds / static_cast<double>(run.frames.size() - 1),
+                        run.frames[1].t - run.frames[0].t);
+  return text;
 }
 
 }  // namespace
 
-RunRow row_of(const Case& c, const trajectories::CaseRun& run) {
-  const Request& request = run.request;
-  const std::size_t reached = run.reached(c.y0.size());
-  RunRow row;
-  row.take(c, run.entrant->info, request, run.outcome);
-  row.end = request.stops.back();
-  row.reached = reached > 0 ? request.stops[reached - 1] : c.t0;
-  row.truth = c.truth.source;
-  row.floor = c.truth.floor;
-  if (!row.ok()) return row;
-  const judge::Judge judge(c, request.stops);
-  std::vector<judge::StopError> errors = judge.errors(run.outcome);
-  while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();
-  if (errors.empty()) return row;
-  // Outputs are not judged, so that a run with them is answered as one without; the amplification
-  // up to each of hundreds would take a hundred times as long as the run.
-  if (request.over_stops) errors = {errors.back()};
-  std::vector<double> stops;
-  for (const judge::StopError& error : errors) stops.push_back(error.time);
-  row.take_errors(errors);
-  row.error_time = stops.back();
-  if (row.error_time > c.stops.back()) row.floor = c.timed_floor();
-  const judge::StopError& worst =
-      *std::ranges::max_element(errors, [](const auto& a, const auto& b) {
-        return a.error_max < b.error_max || (std::isnan(a.error_max) && !std::isnan(b.error_max));
-      });
-  std::vector<double> exact(c.y0.size());
-  c.truth.at(worst.time, exact.data());
-  const std::size_t component =
-      judge::worst_component(c, state_at(c, run, worst.time), exact.data());
-  row.error_component = component_names(c)[component];
-  row.error_unit = c.units.of(component, exact[component]);
-  judge::Amplification amplification;
-  if (request.mode == Mode::adaptive)
-    amplification = judge::measure_amplification(c, stops, request.tolerance);
-  row.judged =
-      measure::answer_of(request, run.outcome, errors, amplification, row.floor, judge.scale());
-  row.diverged = judge::has_diverged(errors, judge.scale());
-  return row;
+void print_rows(const std::vector<RunRow>& rows, const std::string& format, const Case* c,
+                const std::vector<trajectories::CaseRun>& runs) {
+  if (format == "csv") return print(record::csv_text(rows));
+  PrintedRows all;
+  for (const RunRow& row : rows) all.rows.push_back({row});
+  auto json = nlohmann::ordered_json::parse(record::json_of(all));
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const std::vector<std::string> names = component_names(*c);
+    auto& states = json["runs"][k]["states"] = nlohmann::ordered_json::array();
+    for (std::size_t stop = 0; stop < runs[k].reached(names.size()); ++stop) {
+      const double t = runs[k].request.stops[stop], *const y = runs[k].state_at(t, names.size());
+      auto& state = states.emplace_back();
+      state["time"] = t;
+      for (std::size_t i = 0; i < names.size(); ++i) state["y"][names[i]] = y[i];
+    }
+  }
+  print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+std::string answer_text(const RunRow& row) {
+  const judge::JudgedAnswer& judged = row.judged;
+  if (judged.answer == judge::Answer::none) return "";
+  if (judged.answer == judge::Answer::not_applicable) return judged.reason;
+  if (!judged.reason.empty()) return fmt::format("{}: {}", to_string(judged.answer), judged.reason);
+  if (std::isnan(judged.explained)) return "";
+  return fmt::format("{}: tolerance, steps and amplification explain up to {:.2g}",
+                     to_string(judged.answer), judged.explained);
+}
+
+std::vector<std::pair<std::string, std::string>> answer_and_remarks(const RunRow& row) {
+  std::vector<std::pair<std::string, std::string>> all;
+  if (const std::string answer = answer_text(row); !answer.empty())
+    all.emplace_back("answer", answer);
+  for (const std::string& remark : row.remarks) all.emplace_back("remark", remark);
+  return all;
 }
 
 std::string cost_text(const Counters& counters) {
@@ -146,9 +153,53 @@ std::string first_text(const trajectories::CaseRun& run, std::size_t numbers, do
 }
 
 std::string error_text(const Case& c, const trajectories::CaseRun& run, const RunRow& row) {
-  std::string text = error_and_answer(c, run, row);
-  for (const std::string& remark : judge::remarks(c, run.request, run.outcome))
-    text += fmt::format("remark  {}\n", remark);
+  std::string text = error_of_run(c, run, row);
+  for (const auto& [name, said] : answer_and_remarks(row))
+    text += fmt::format("{:<6}  {}\n", name, said);
+  return text;
+}
+
+std::vector<std::string> describe_run(const trajectories::SceneRun& one, double seconds) {
+  const Request& request = one.request;
+  const scene::RunResult& run = one.outcome;
+  std::vector<std::string> lines{"solver     " + one.entrant->info.id()};
+  const double end = request.stops.back();
+  lines.push_back(request.mode == Mode::fixed
+                      ? fmt::format("step       {:.12g}, {} steps to t = {:.12g}",
+                                    end / static_cast<double>(request.steps), request.steps, end)
+                      : fmt::format("tol        {}, {} steps and {} rejected to t = {:.12g}",
+                                    text_of_tolerance(request), run.counters.steps,
+                                    run.counters.rejected_steps, run.t));
+  lines.push_back(fmt::format("status     {}{}{}", to_string(run.status),
+                              run.detail.empty() ? "" : ": ", run.detail));
+  lines.push_back(text_of_cost(request, run, seconds));
+  if (run.solves > 1)
+    lines.push_back(
+        fmt::format("solves     {}: {} births, {} deaths", run.solves, run.births, run.deaths));
+  const scene::Frame &first = run.frames.front(), &last = run.frames.back();
+  lines.push_back(fmt::format("energy     {:.9g} J at t = {}, {:.9g} J at t = {:.9g}",
+                              first.kinetic + first.potential, first.t,
+                              last.kinetic + last.potential, last.t));
+  lines.push_back(fmt::format("momentum   ({:.6g}, {:.6g}, {:.6g}) kg m/s at the end",
+                              last.momentum[0], last.momentum[1], last.momentum[2]));
+  if (run.contacts.apart > 0) lines.push_back(trajectories::text_of_contacts(run.contacts));
+  return lines;
+}
+
+std::string text_of_answer(const trajectories::SceneRun& run,
+                           const trajectories::SceneErrors* errors, const RunRow& row) {
+  const std::string id = run.entrant->info.id();
+  std::string text;
+  if (errors && errors->until == 0) text = fmt::format("error      {}: unknown\n", id);
+  if (errors && errors->until > 0)
+    text = fmt::format(
+        "error      {}: {:.3g} m at most, at t = {:.4g}; {:.3g} m at most and {:.3g} m on average "
+        "at t = {:.4g}{}\n",
+        id, errors->largest, errors->largest_at, errors->end_largest, errors->end_mean,
+        errors->until,
+        errors->until < run.outcome.t ? ", the last time at which the motion is known" : "");
+  if (const std::string answer = answer_text(row); !answer.empty())
+    text += fmt::format("answer     {}: {}\n", id, answer);
   return text;
 }
 

@@ -1,45 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
-#include "odeum/measure/run_record.hpp"
-#include "odeum/record/table.hpp"
 #include "odeum/trajectories/run_page.hpp"
 
 namespace odeum::cli {
 
-/// One solver's run, for programs.
-struct RunRow : measure::RunRecord {
-  double end = nan, reached = nan;  ///< the last time, and that whose state was recorded
-  /// The error at `error_time`, the last output at which the truth is known (nan: at none); the
-  /// largest at the stops of a run whose steps end on several.
-  /// `error` times `error_unit` is the error of `error_component` in its own unit.
-  double error_time = nan;
-  std::string error_component;
-  double error_unit = nan, floor = nan;
-  std::string truth;
-  bool diverged = false;  ///< the run ended ok and is not a solution of any accuracy
+using trajectories::RunRow;
 
-  static constexpr const char* file = "runs";
-  ODEUM_COLUMNS(case_id, library, solver, mode,
-                column("step", ComputedColumn{mode == Mode::fixed ? setting : nan}),
-                column("tolerance", ComputedColumn{mode == Mode::fixed ? nan : setting}), end,
-                status, detail, reached, counters.steps, counters.rejected_steps,
-                counters.rhs_evaluations, counters.jacobian_evaluations, error_time,
-                error_component, error_unit, column("error_max", error), error_rms, floor, judged,
-                truth)
-};
-struct RunRows {
-  std::vector<RunRow> rows;
-  static auto lists(auto& result) { return std::tie(result.rows); }
-};
-
-/// The row of a run, with its error at the last stop at which the truth is known; of a run whose
-/// steps end on several stops the largest at them. For a run to a tolerance it measures the
-/// amplification of errors, which may take longer than the run.
-RunRow row_of(const Case& c, const trajectories::CaseRun& run);
+/// Prints rows as JSON (an object with the list `runs`) or CSV. JSON has the states of a case, too,
+/// at the end or at the outputs; `runs`: of a case, one a row.
+void print_rows(const std::vector<RunRow>& rows, const std::string& format, const Case* c = nullptr,
+                const std::vector<trajectories::CaseRun>& runs = {});
 
 /// `82 evaluations, 3 Jacobians, 214 products in linear solvers`.
 std::string cost_text(const Counters& counters);
@@ -50,5 +24,19 @@ std::string first_text(const trajectories::CaseRun& run, std::size_t numbers, do
 
 /// Lines: the error, whether the tolerance explains it, and what else the run shows.
 std::string error_text(const Case& c, const trajectories::CaseRun& run, const RunRow& row);
+
+/// `wrong: <reason>`; empty where nothing is said of the answer.
+std::string answer_text(const RunRow& row);
+/// Names and texts: the answer, where something is said of it, and the remarks.
+std::vector<std::pair<std::string, std::string>> answer_and_remarks(const RunRow& row);
+
+/// Lines: a scene's run at its setting, how it ended, its cost, energy and contacts. `seconds`: of
+/// the processor.
+std::vector<std::string> describe_run(const trajectories::SceneRun& run, double seconds);
+
+/// Lines: its error in m, and what the judge says of it. `errors`: null where no truth was asked
+/// for.
+std::string text_of_answer(const trajectories::SceneRun& run,
+                           const trajectories::SceneErrors* errors, const RunRow& row);
 
 }  // namespace odeum::cli

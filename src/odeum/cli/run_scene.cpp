@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/run_rows.hpp"
 #include "odeum/core/interrupt.hpp"
+#include "odeum/core/standard_streams.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "odeum/trajectories/run_page.hpp"
@@ -21,6 +25,7 @@ namespace {
 
 using scene::Scene, scene::SceneProblem, trajectories::SceneRun;
 using Lines = std::vector<std::string>;
+using Say = std::function<void(const std::string&)>;
 
 Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   const scene::Structure& s = problem.structure();
@@ -45,96 +50,24 @@ Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   return lines;
 }
 
-/// The processor's time, by steps and by frames, and what a cost in evaluations does not tell.
-std::string text_of_cost(const Request& request, const scene::RunResult& run, double seconds) {
-  const Counters& counters = run.counters;
-  std::string text = "cost       " + cost_text(counters);
-  const std::uint64_t steps = request.mode == Mode::fixed ? request.steps : counters.steps;
-  text += fmt::format("\ntime       {:.3g} s of the processor", seconds);
-  if (steps > 0)
-    text += fmt::format(", {:.3g} ms a step", 1e3 * seconds / static_cast<double>(steps));
-  if (run.frames.size() > 1)
-    text += fmt::format(", {:.3g} ms a frame of {:.4g} s",
-                        1e3 * seconds / static_cast<double>(run.frames.size() - 1),
-                        run.frames[1].t - run.frames[0].t);
-  return text;
-}
-
-Lines describe_result(const Entrant& entrant, const Request& request, const scene::RunResult& run,
-                      double seconds, const std::string& excess) {
-  Lines lines{"solver     " + entrant.info.id()};
-  const double end = request.stops.back();
-  lines.push_back(request.mode == Mode::fixed
-                      ? fmt::format("step       {}, {} steps to t = {}",
-                                    end / static_cast<double>(request.steps), request.steps, end)
-                      : fmt::format("tol        {}, {} steps and {} rejected to t = {}",
-                                    text_of_tolerance(request), run.counters.steps,
-                                    run.counters.rejected_steps, run.t));
-  lines.push_back(fmt::format("status     {}{}{}{}", to_string(run.status),
-                              run.detail.empty() ? "" : ": ", run.detail,
-                              excess.empty() ? "" : ", but it has blown up: " + excess));
-  lines.push_back(text_of_cost(request, run, seconds));
-  if (run.solves > 1)
-    lines.push_back(
-        fmt::format("solves     {}: {} births, {} deaths", run.solves, run.births, run.deaths));
-  const scene::Frame &first = run.frames.front(), &last = run.frames.back();
-  lines.push_back(fmt::format("energy     {:.9g} J at t = {}, {:.9g} J at t = {:.9g}",
-                              first.kinetic + first.potential, first.t,
-                              last.kinetic + last.potential, last.t));
-  lines.push_back(fmt::format("momentum   ({:.6g}, {:.6g}, {:.6g}) kg m/s at the end",
-                              last.momentum[0], last.momentum[1], last.momentum[2]));
-  if (run.contacts.apart > 0) lines.push_back(trajectories::text_of_contacts(run.contacts));
-  return lines;
-}
-
-/// The errors of a run in m, and whether the run has diverged.
-std::pair<std::string, bool> text_of_errors(const SceneRun& run, const SceneProblem& problem,
-                                            const cases::TextTruth& known) {
-  const trajectories::SceneErrors e = trajectories::scene_errors(problem, run.outcome, known.truth);
-  const std::string id = run.entrant->info.id();
-  if (e.until == 0) return {fmt::format("error      {}: unknown", id), false};
-  std::string text = fmt::format(
-      "error      {}: {:.3g} m at most, at t = {:.4g}; {:.3g} m at most and {:.3g} m on average at "
-      "t = {:.4g}",
-      id, e.largest, e.largest_at, e.end_largest, e.end_mean, e.until);
-  if (e.until < run.outcome.t) text += ", the last time at which the motion is known";
-  const double part = e.size > 0 ? e.largest / e.size : 0;
-  constexpr double whole = 1, tenth = 0.1;
-  if (part >= whole)
-    return {
-        text + fmt::format("\nanswer     wrong: {} has diverged, by more than the {:.3g} m that "
-                           "the scene is large",
-                           id, e.size),
-        true};
-  text += fmt::format("\nanswer     {}: {:.2g} % of the scene's size of {:.3g} m{}", id, 100 * part,
-                      e.size, part > tenth ? ", which does not predict its motion" : "");
-  return {text, false};
-}
-
-/// Prints the errors of the runs that ended well; false: each of them has diverged.
-bool print_errors(const std::vector<SceneRun>& runs, const Scene& scene, const std::string& text) {
+/// The exact motion at the frames of the runs that ended well, as far as it is known. Says what it
+/// is, or why it is not known.
+trajectories::SceneTruth truth_of(const std::vector<SceneRun>& runs, const Scene& scene,
+                                  const std::string& text, const Say& say) {
   std::vector<const scene::RunResult*> ended;
   for (const SceneRun& run : runs)
     if (run.outcome.status == Status::ok) ended.push_back(&run.outcome);
   const std::vector<double> times = trajectories::times_to_judge(ended);
-  if (times.empty()) return true;
-  std::shared_ptr<const SceneProblem> problem;
+  if (times.empty()) return {};
   try {
-    problem = cases::whole_problem(scene, times.back(), scene.name);
+    const auto problem = cases::whole_problem(scene, times.back(), scene.name);
+    const cases::TextTruth known = cases::scene_truth(problem, times, text, scene.name);
+    say(fmt::format("truth      {}\n", known.words));
+    return {problem, known.truth};
   } catch (const InputError& error) {
-    print("error      unknown: {}\n", error.what());
-    return true;
+    say(fmt::format("error      unknown: {}\n", error.what()));
+    return {};
   }
-  const cases::TextTruth known = cases::scene_truth(problem, times, text, scene.name);
-  print("truth      {}\n", known.words);
-  bool any_close = false;
-  for (const SceneRun& run : runs) {
-    if (run.outcome.status != Status::ok) continue;
-    const auto [line, wrong] = text_of_errors(run, *problem, known);
-    print("{}\n", line);
-    any_close = any_close || !wrong;
-  }
-  return any_close;
 }
 
 std::string text_of(const Lines& lines) { return fmt::format("{}\n", fmt::join(lines, "\n")); }
@@ -181,12 +114,12 @@ SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& 
 }
 
 void write_run(const record::OutputFolder& folder, const SceneRun& run, const Scene& scene,
-               const Lines& facts, std::size_t frames) {
+               const Lines& facts, std::size_t frames, const Say& say) {
   trajectories::write_scene_files(folder, run.folder, scene, run.outcome, facts);
-  print("files      {}\n", (folder.path() / (run.folder + "replay.html")).string());
+  say(fmt::format("files      {}\n", (folder.path() / (run.folder + "replay.html")).string()));
   if (frames == 0) return;
-  print("film       {}\n",
-        trajectories::write_film(folder, scene, run.outcome, frames, run.folder));
+  say(fmt::format("film       {}\n",
+                  trajectories::write_film(folder, scene, run.outcome, frames, run.folder)));
 }
 
 /// Sets the interval that was asked for; pictures are equally far apart in time.
@@ -195,17 +128,69 @@ void set_frame_interval(Scene& scene, const RunOptions& options, const RunSettin
   if (options.frames == 0) return;
   if (options.out.empty())
     throw UsageError("--frames: expected --out DIR too, where the pictures are written");
-  if (!options.settings.every)
-    scene.frame_interval =
-        settings.until.value_or(*scene.duration) / static_cast<double>(options.frames - 1);
+  if (options.settings.every) return;
+  // Curves have the usual frames too, of which each picture is one.
+  const double until = settings.until.value_or(*scene.duration),
+               apart = until / static_cast<double>(options.frames - 1);
+  scene.frame_interval = apart / std::ceil(apart / scene::frame_interval(scene, until));
 }
 
 /// The command that says why a run failed.
-void print_why(const Scene& scene, const SceneRun& run, const RunOptions& options) {
+std::string text_of_why(const Scene& scene, const SceneRun& run, const RunOptions& options) {
   Case whole;
   whole.stops = {*scene.duration};
-  print("more       odeum why {}{} --solver {} {}\n", shell_word(options.what), options.more,
-        run.entrant->info.id(), why::setting_of(run.request, whole));
+  return fmt::format("more       odeum why {}{} --solver {} {}\n", shell_word(options.what),
+                     options.more, run.entrant->info.id(), why::setting_of(run.request, whole));
+}
+
+/// What is said of the model before any run.
+Lines model_of(const scene::ReadScene& read, const Scene& scene, const SceneProblem& whole,
+               const RunSettings& settings) {
+  Lines model = describe_model(scene, whole);
+  model.insert(model.begin(), "scene      " + scene.name);
+  if (const std::string damping = scene::describe_damping(read); !damping.empty())
+    model.push_back("damping    " + damping);
+  if (!read.duration_given && !settings.until)
+    model.push_back(fmt::format("duration   {} s: the scene gives none; --until sets another",
+                                scene::default_duration));
+  return model;
+}
+
+/// The runs of a scene, and what is known of them.
+struct Runs {
+  std::string name;  ///< of the scene's file
+  std::vector<SceneRun> runs = {};
+  std::vector<std::string> excess = {};  ///< of the energy of each, see excess_of_energy
+  std::vector<RunRow> rows = {};
+
+  /// Fills the rows; returns the lines of the errors and answers.
+  std::string judge(const trajectories::SceneTruth& truth);
+};
+
+std::string Runs::judge(const trajectories::SceneTruth& truth) {
+  std::string text;
+  rows.clear();
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    std::optional<trajectories::SceneErrors> errors;
+    if (truth.problem && runs[k].outcome.status == Status::ok)
+      errors = trajectories::scene_errors(*truth.problem, runs[k].outcome, truth.truth);
+    rows.push_back(
+        trajectories::row_of(runs[k], excess[k], errors ? &*errors : nullptr, truth.truth));
+    rows.back().case_id = name;
+    text += text_of_answer(runs[k], errors ? &*errors : nullptr, rows.back());
+  }
+  return text;
+}
+
+void write_page(const record::OutputFolder& folder, const Scene& scene, const Runs& all,
+                const trajectories::SceneTruth& truth, const Lines& model, const Say& say) {
+  trajectories::RunTexts texts{.title = scene.name, .lead = {}, .facts = {}};
+  for (const std::string& line : model) texts.facts.emplace_back("", line);
+  if (!truth.truth.source.empty()) texts.facts.emplace_back("", "truth      " + truth.truth.source);
+  const bool page = trajectories::write_scene_page(folder, scene, all.runs, all.rows, truth, texts);
+  remark_on_page(page);
+  say(fmt::format("files      {}\n",
+                  (page ? folder.path() / "index.html" : folder.path()).string()));
 }
 
 int run_read(const scene::ReadScene& read, const cases::Named& source,
@@ -228,45 +213,43 @@ int run_read(const scene::ReadScene& read, const cases::Named& source,
 
   std::optional<record::OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
-  Lines model = describe_model(scene, *whole);
-  model.insert(model.begin(), "scene      " + scene.name);
-  if (const std::string damping = scene::describe_damping(read); !damping.empty())
-    model.push_back("damping    " + damping);
-  if (!read.duration_given && !settings.until)
-    model.push_back(fmt::format("duration   {} s: the scene gives none; --until sets another",
-                                scene::default_duration));
-  print(text_of(model) + text_of(describe_fits(entrants, options.verbose)));
+  const bool rows = options.format != "table";
+  // Beside rows, what people read goes where remarks go.
+  const Say say = [&](const std::string& text) { rows ? tell(text) : print(text); };
+  const Lines model = model_of(read, scene, *whole, settings);
+  say(text_of(model) + text_of(describe_fits(entrants, options.verbose)));
 
-  std::vector<SceneRun> runs;
-  bool any_ok = false;
+  Runs all{.name = std::filesystem::path(source.word()).stem().string()};
   for (const Entrant* entrant : chosen) {
     const std::clock_t begin = std::clock();
-    runs.push_back(run_one(scene, *entrant, settings));
+    all.runs.push_back(run_one(scene, *entrant, settings));
     if (interrupted) return interrupted_code;
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    SceneRun& one = runs.back();
+    SceneRun& one = all.runs.back();
     const bool ok = one.outcome.status == Status::ok;
-    const std::string excess = ok ? trajectories::excess_of_energy(scene, one.outcome) : "";
-    const Lines result = describe_result(*entrant, one.request, one.outcome, seconds, excess);
-    print(text_of(result));
-    if (!ok) print_why(scene, one, options);
-    any_ok = any_ok || (ok && excess.empty() && one.outcome.contacts.passed == 0);
+    all.excess.push_back(ok ? trajectories::excess_of_energy(scene, one.outcome) : "");
+    const Lines result = describe_run(one, seconds);
+    say(text_of(result) + (ok ? "" : text_of_why(scene, one, options)));
     if (!folder) continue;
     Lines facts = model;
     facts.insert(facts.end(), result.begin(), result.end());
+    if (!all.excess.back().empty())
+      facts.push_back("answer     wrong: it has blown up: " + all.excess.back());
     if (chosen.size() > 1) one.folder = entrant->info.library + "_" + entrant->info.method + "/";
-    write_run(*folder, one, scene, facts, options.frames);
+    write_run(*folder, one, scene, facts, options.frames, say);
   }
-  if (folder) {
-    trajectories::RunTexts texts{.title = scene.name, .lead = {}, .facts = {}};
-    for (const std::string& line : model) texts.facts.emplace_back("", line);
-    const bool page = trajectories::write_scene_page(*folder, scene, *whole, runs, texts);
-    remark_on_page(page);
-    print("files      {}\n", (page ? folder->path() / "index.html" : folder->path()).string());
-  }
+  std::string answers = all.judge({});
+  trajectories::SceneTruth truth;
+  if (folder) write_page(*folder, scene, all, truth, model, say);
   // After the files, since it may take longer than the runs.
-  if (options.truth) any_ok = print_errors(runs, scene, source_text) && any_ok;
-  return any_ok ? success : solver_failed;
+  if (options.truth) truth = truth_of(all.runs, scene, source_text, say);
+  if (truth.problem) {
+    answers = all.judge(truth);
+    if (folder) write_page(*folder, scene, all, truth, model, [](const std::string&) {});
+  }
+  say(answers);
+  if (rows) print_rows(all.rows, options.format);
+  return std::ranges::any_of(all.rows, &RunRow::stands) ? success : solver_failed;
 }
 
 }  // namespace

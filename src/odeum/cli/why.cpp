@@ -6,6 +6,7 @@
 
 #include "odeum/cases/conditions.hpp"
 #include "odeum/cli/run.hpp"
+#include "odeum/cli/run_rows.hpp"
 #include "odeum/core/clocks.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/trajectories/run_page.hpp"
@@ -22,39 +23,58 @@ struct WhyOptions {
   ProblemOptions problems;
 };
 
+/// The run that is asked about, with its states over time as far as it came.
+trajectories::CaseRun run_with_outputs(const Case& c, const why::Why& why) {
+  trajectories::CaseRun run{c.entrants.find(why.solver), why.request, {}};
+  if (why.outcome.status == Status::refused) {
+    run.outcome = why.outcome;
+    return run;
+  }
+  const double end = run.request.stops.back();
+  if (why.outcome.status == Status::over_budget) run.request.stops = {why.reached};
+  ask_for_output(run.request, {}, c.t0, c.y0.size());
+  // The budget covers what was looked at, and a step aside at each output.
+  run.request.budget.evaluations = 2 * why.outcome.counters.work + 100'000;
+  run.outcome = run.entrant->solve(run.request);
+  if (run.request.stops.back() != end) run.request.stops.push_back(end);
+  if (why.outcome.status == Status::ok && run.outcome.status == Status::ok)
+    std::ranges::copy(why.outcome.states,
+                      run.outcome.states.end() - static_cast<std::ptrdiff_t>(c.y0.size()));
+  // How it ended and what it took is that of the run without outputs.
+  run.outcome.status = why.outcome.status;
+  run.outcome.detail = why.outcome.detail;
+  run.outcome.t = why.outcome.t;
+  run.outcome.counters = why.outcome.counters;
+  return run;
+}
+
 /// The run and the better one with their states over time, for the page, whose curves go by name:
 /// the same solver at another setting is `same`, with that in its name.
 std::vector<trajectories::CaseRun> shown_runs(const Case& c, const why::Why& why, Entrant& same) {
-  constexpr std::uint64_t most_steps_shown = 20'000;
-  std::vector<trajectories::CaseRun> runs;
-  const auto show = [&](const Entrant& entrant, Request request, const Counters& counters) {
-    ask_for_output(request, {}, c.t0, c.y0.size());
-    request.record_steps = counters.steps < most_steps_shown;
-    // The budget covers what was looked at, and a step aside at each output.
-    request.budget.evaluations = 2 * counters.work + 100'000;
-    trajectories::CaseRun run{&entrant, request, {}};
-    run.outcome = run.entrant->solve(request);
-    run.outcome.counters = counters;  // without what the outputs cost
-    runs.push_back(std::move(run));
-  };
-  Request request = why.request;
-  if (why.outcome.status == Status::over_budget) request.stops = {why.reached};
-  const Entrant& entrant = *c.entrants.find(why.solver);
-  show(entrant, request, why.outcome.counters);
+  std::vector<trajectories::CaseRun> runs{run_with_outputs(c, why)};
   if (!why.better) return runs;
   const why::Other& other = why.others[*why.better];
   if (other.request.stops != why.request.stops) return runs;
-  same = entrant;
+  same = *runs.front().entrant;
   same.info.method += " " + why::setting_of(other.request, c);
-  show(other.solver == why.solver ? same : *c.entrants.find(other.solver), other.request,
-       other.counters);
+  Request request = other.request;
+  ask_for_output(request, {}, c.t0, c.y0.size());
+  request.budget.evaluations = 2 * other.counters.work + 100'000;
+  const Entrant& entrant = other.solver == why.solver ? same : *c.entrants.find(other.solver);
+  runs.push_back({&entrant, request, trajectories::solve_with_outputs(entrant, request)});
   return runs;
 }
 
+/// What is said of the run, as `odeum run` says it.
+RunRow row_of(const Case& c, const why::Why& why) {
+  return trajectories::row_of(c, {c.entrants.find(why.solver), why.request, why.outcome});
+}
+
 void write_files(const record::OutputFolder& folder, const Case& c, const why::Why& why,
+                 const RunRow& row, const std::string& text, const std::string& json,
                  const advise::Asked& asked) {
-  folder.write("why.txt", why::text_of(why, c, asked));
-  folder.write("why.json", why::json_of(why, c, asked).dump(2) + "\n");
+  folder.write("why.txt", text);
+  folder.write("why.json", json);
   trajectories::RunTexts texts{.title = c.title,
                                .lead = c.id,
                                .facts = {{"Why", why::first_line(why)}},
@@ -66,7 +86,10 @@ void write_files(const record::OutputFolder& folder, const Case& c, const why::W
     texts.facts.emplace_back("Next", next);
   folder.write("why.csv", texts.bounds.csv());
   Entrant same;
-  remark_on_page(trajectories::write_case_page(folder, c, shown_runs(c, why, same), texts));
+  const std::vector<trajectories::CaseRun> runs = shown_runs(c, why, same);
+  std::vector<RunRow> rows{row};
+  if (runs.size() > 1) rows.push_back(trajectories::row_of(c, runs.back()));
+  remark_on_page(trajectories::write_case_page(folder, c, runs, rows, texts));
 }
 
 int why_on(Session& session, const WhyOptions& options, const CLI::App& command) {
@@ -89,10 +112,16 @@ int why_on(Session& session, const WhyOptions& options, const CLI::App& command)
                std::max(least * options.seconds, options.seconds - seconds_since(start)),
                cases::conditions_of(c));
   const advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
-  print(options.format == "json"  ? why::json_of(why, c, asked).dump(2) + "\n"
+  const RunRow row = row_of(c, why);
+  auto json = why::json_of(why, c, asked);
+  for (const record::Field& field : record::fields_of(row))
+    std::visit([&](const auto& value) { json["run"][field.column] = value; }, field.value);
+  const std::string text = why::text_of(why, c, asked, answer_and_remarks(row)),
+                    json_text = json.dump(2) + "\n";
+  print(options.format == "json"  ? json_text
         : options.format == "csv" ? why::segments_of(why).csv()
-                                  : why::text_of(why, c, asked));
-  if (folder) write_files(*folder, c, why, asked);
+                                  : text);
+  if (folder) write_files(*folder, c, why, row, text, json_text, asked);
   return success;
 }
 

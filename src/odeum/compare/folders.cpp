@@ -127,10 +127,13 @@ void note_versions(const Json& before, const Json& after, std::vector<std::strin
   add("odeum", before.value(version, Json()), after.value(version, Json()));
   add("its revision", before.value(revision, Json()), after.value(revision, Json()));
   std::map<std::string, std::pair<Json, Json>> libraries;
-  for (const Json& each : before.value("libraries", Json::array()))
-    libraries[each.value("name", "")].first = each.value("version", "");
-  for (const Json& each : after.value("libraries", Json::array()))
-    libraries[each.value("name", "")].second = each.value("version", "");
+  const auto take = [&](const Json& manifest, auto version_of) {
+    for (const Json& each : manifest.value("libraries", Json()))
+      if (each.is_object() && each.value("name", Json()).is_string())
+        libraries[each["name"]].*version_of = each.value("version", Json());
+  };
+  take(before, &std::pair<Json, Json>::first);
+  take(after, &std::pair<Json, Json>::second);
   for (const auto& [name, both] : libraries) add(name, both.first, both.second);
 }
 

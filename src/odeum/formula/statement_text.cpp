@@ -45,6 +45,10 @@ std::string StatementText::new_name(const std::string& wished) {
                                              "time",   "energy", "error",   "i"};
   constexpr std::size_t longest = 50;
   std::string name = wished.substr(0, longest);
+  // A damaged file may name anything.
+  for (char& c : name)
+    if (!continues_name(c)) c = '_';
+  if (name.empty() || !begins_name(name[0])) name.insert(0, "n");
   while (columns.contains(name) || !fault_of_name(name).empty()) name += '_';
   const std::string first = name;
   for (int k = 2; !names_.insert(name).second; ++k) name = fmt::format("{}_{}", first, k);

@@ -81,6 +81,55 @@ std::vector<std::string> broken_sums(const Case& c, const Request& request, cons
   return broken;
 }
 
+/// An absolute tolerance of their own for some components: options of `odeum run`, which leave
+/// those of the others. `values`: by component.
+std::string own_tolerances(const Case& c, const Request& request,
+                           const std::vector<std::size_t>& some,
+                           const std::vector<double>& values) {
+  const std::vector<std::string> names = component_names(c);
+  const double relative = request.tolerance.relative;
+  const std::vector<double>& asked = request.tolerance.absolutes();
+  std::vector<std::string> words;
+  if (asked != c.tolerance.requested(relative).absolutes() && !request.tolerance.by_component())
+    words.push_back(fmt::format("{:g}", request.tolerance.absolute(0)));
+  for (const std::size_t i : some)
+    if (words.size() <= most_named) words.push_back(fmt::format("{}={:.1g}", names[i], values[i]));
+  return fmt::format("--rtol {:g} --atol {}{}", relative, fmt::join(words, ","),
+                     some.size() > most_named ? ",..." : "");
+}
+
+/// `largest`: the size of each component.
+std::string text_of_uncontrolled(const Case& c, const Request& request,
+                                 const std::vector<std::size_t>& some,
+                                 std::vector<double> largest) {
+  const std::vector<std::string> names = component_names(c);
+  std::vector<std::string> named;
+  for (const std::size_t i : some) {
+    named.push_back(names[i]);
+    largest[i] *= request.tolerance.relative;
+  }
+  return fmt::format(
+      "{} never exceed{} the absolute tolerance, which leaves the error uncontrolled there; {} "
+      "controls it",
+      joined(named), named.size() == 1 ? "s" : "", own_tolerances(c, request, some, largest));
+}
+
+/// `lowest` and `largest`: of each component, by the run and by the solution.
+std::string text_of_negative(const Case& c, const Request& request,
+                             const std::vector<std::size_t>& some,
+                             const std::vector<double>& lowest, std::vector<double> largest) {
+  const std::vector<std::string> names = component_names(c);
+  std::vector<std::string> named;
+  for (const std::size_t i : some) {
+    named.push_back(fmt::format("{} ({:.2g})", names[i], lowest[i]));
+    largest[i] = 0.01 * std::min(request.tolerance.absolute(i), largest[i]);
+  }
+  return fmt::format(
+      "{} {} below zero where the solution is not; {} asks for more digits", joined(named),
+      named.size() == 1 ? "falls" : "fall",
+      request.mode == Mode::fixed ? "a shorter step" : own_tolerances(c, request, some, largest));
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> linear_invariants(const Case& c) {
@@ -115,9 +164,8 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
   std::vector<std::string> all;
   const std::size_t n = c.y0.size(), reached = n == 0 ? 0 : outcome.states.size() / n;
   if (reached == 0) return all;
-  const std::vector<std::string> names = component_names(c);
   const auto stops = std::min(reached, request.stops.size());
-  std::vector<std::string> uncontrolled, negative;
+  std::vector<std::size_t> uncontrolled, below_zero;
   std::vector<double> largest(n), exact(n), lowest(n), lowest_exact(n);
   for (std::size_t i = 0; i < n; ++i) largest[i] = std::abs(c.y0[i]);
   // Sizes between the stops count, as far as they are known.
@@ -150,19 +198,13 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
     // A component that is zero throughout has the value zero.
     if (request.mode == Mode::adaptive && largest[i] > 0 &&
         largest[i] < request.tolerance.absolute(i))
-      uncontrolled.push_back(names[i]);
+      uncontrolled.push_back(i);
     // Rounding and the truth's own error are not a fault.
     const double meant = 1e-12 * largest[i] + 10 * c.floor_of(i);
-    if (c.y0[i] >= 0 && lowest_exact[i] >= -meant && lowest[i] < -meant)
-      negative.push_back(fmt::format("{} ({:.2g})", names[i], lowest[i]));
+    if (c.y0[i] >= 0 && lowest_exact[i] >= -meant && lowest[i] < -meant) below_zero.push_back(i);
   }
-  if (!uncontrolled.empty())
-    all.push_back(fmt::format(
-        "{} never exceed{} the absolute tolerance, which leaves the error uncontrolled there",
-        joined(uncontrolled), uncontrolled.size() == 1 ? "s" : ""));
-  if (!negative.empty())
-    all.push_back(fmt::format("{} {} below zero where the solution is not", joined(negative),
-                              negative.size() == 1 ? "falls" : "fall"));
+  if (!uncontrolled.empty()) all.push_back(text_of_uncontrolled(c, request, uncontrolled, largest));
+  if (!below_zero.empty()) all.push_back(text_of_negative(c, request, below_zero, lowest, largest));
   const double* end = outcome.states.data() + (stops - 1) * n;
   if (!take_truth_at(request.stops[stops - 1])) return all;
   std::ranges::move(broken_sums(c, request, end, exact, largest), std::back_inserter(all));

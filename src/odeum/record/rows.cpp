@@ -20,6 +20,8 @@ class CsvSource : public FieldSource {
   explicit CsvSource(std::string_view text) : rest_(text) {
     if (!read_row()) return;
     for (std::size_t i = 0; i < row_.size(); ++i) columns_[row_[i]] = i;
+    broken_ = columns_.size() != row_.size();  // a name twice
+    if (broken_) columns_.clear();
   }
   /// The next row; false at the end, or at a row of another length, see broken().
   bool next_row() {

@@ -177,6 +177,52 @@ record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs) {
   return table;
 }
 
+namespace {
+
+/// At most so many ends of steps of a run, evenly in steps, as far as it came.
+std::vector<double> chosen_ends(const Case& c, const CaseRun& run) {
+  constexpr std::uint64_t most = 2000;
+  std::vector<double> ends;
+  if (run.request.mode == Mode::fixed) {
+    const FixedGrid grid(c.t0, run.request);
+    const std::uint64_t apart = 1 + grid.steps() / most;
+    for (std::uint64_t i = apart; i < grid.steps(); i += apart) ends.push_back(grid.t(i));
+  } else {
+    const std::vector<double>& all = run.outcome.step_ends;
+    for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / most) ends.push_back(all[i]);
+  }
+  while (!ends.empty() && ends.back() >= run.outcome.t) ends.pop_back();
+  return ends;
+}
+
+}  // namespace
+
+record::Records case_curves(const Case& c, const std::vector<CaseRun>& runs) {
+  record::Records table{{"library", "solver", "time"}};
+  for (const std::string& name : component_names(c)) table.columns.push_back(name);
+  table.columns.emplace_back("energy");
+  const std::size_t n = c.y0.size();
+  constexpr std::uint64_t most_work = 20'000'000;  // some seconds
+  for (const CaseRun& run : runs) {
+    if (!run.entrant->solve || run.outcome.counters.work > most_work) continue;
+    Request request = run.request;
+    request.stops = chosen_ends(c, run);
+    if (request.stops.size() <= run.reached(n) / 2) continue;
+    request.stops.push_back(run.outcome.t);
+    request.record_steps = false;
+    if (request.mode == Mode::fixed) request.stops.back() = run.request.stops.back();
+    const Outcome outcome = run.entrant->solve(request);
+    for (std::size_t k = 0; k * n < outcome.states.size(); ++k) {
+      const double* const y = outcome.states.data() + k * n;
+      auto& row = table.rows.emplace_back();
+      row = {run.entrant->info.library, run.entrant->info.method, request.stops[k]};
+      row.insert(row.end(), y, y + n);
+      row.emplace_back(c.energy ? c.energy(y) : nan);
+    }
+  }
+  return table;
+}
+
 record::Records case_schemes(const Case& c, const std::vector<CaseRun>& runs) {
   record::Records table{{"case", "library", "solver", "time"}};
   for (const std::string& name : component_names(c)) table.columns.push_back(name);

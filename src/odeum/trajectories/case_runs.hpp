@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,6 +17,11 @@ struct CaseRun {
   Outcome outcome;
 
   std::size_t reached(std::size_t n) const { return outcome.states.size() / n; }  ///< stops
+  /// The n numbers of the state at one of the stops.
+  const double* state_at(double stop, std::size_t n) const {
+    const auto at = std::ranges::find(request.stops, stop) - request.stops.begin();
+    return outcome.states.data() + static_cast<std::size_t>(at) * n;
+  }
 };
 
 /// The outcome of a run with its outputs. To a tolerance, a state between the steps costs
@@ -51,6 +57,11 @@ record::Records case_solution(const Case& c, const std::vector<CaseRun>& runs);
 /// shortest and the longest of each: a stiff run of an explicit method has 10^7.
 inline constexpr std::size_t most_groups_of_steps = 20'000;
 record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs);
+
+/// For pictures: states at the ends of steps, which lie where the solution moves fast and outputs
+/// step over it, of another run that stops there; with the columns of case_schemes and the energy.
+/// Of many steps some, evenly. Nothing of a run whose outputs are the ends of its steps.
+record::Records case_curves(const Case& c, const std::vector<CaseRun>& runs);
 
 /// The scheme's own closed form at the outputs of each run that has one: case, library, solver,
 /// time, the components by name.

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/trajectories/run_page.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "odeum/measure/run_record.hpp"
+#include "odeum/judge/remarks.hpp"
 #include "odeum/record/rows.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/report/text.hpp"
@@ -15,20 +19,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// One run: a line of runs.csv.
-struct RunRow : measure::RunRecord {  ///< of a case with its error at the end
-  double energy_change = nan;         ///< of a scene, to the end
-  std::string replay = {};            ///< the address of its page; empty: it has none
-
-  static constexpr const char* file = "runs.csv";
-  /// 2: error and energy_change, which were one column
-  static constexpr int schema = 2;
-  ODEUM_COLUMNS(library, solver, status, detail,
-                column("setting_kind", PhraseColumn{mode, "step", "tol"}), setting, counters.steps,
-                counters.rejected_steps, counters.rhs_evaluations, counters.jacobian_evaluations,
-                error, energy_change, replay)
-};
-
 report::Facts facts_of(const auto& runs) {
   report::Facts facts{.cases = {}, .solvers = {}, .libraries = all_libraries()};
   for (const auto& run : runs) facts.solvers.push_back(run.entrant->info);
@@ -36,8 +26,8 @@ report::Facts facts_of(const auto& runs) {
 }
 
 /// The time, position and velocity that are plotted, of each run and exact where that is known.
-record::Records plotted(const scene::Scene& scene, const scene::SceneProblem& problem,
-                        const std::vector<SceneRun>& runs, const scene::Plot& plot) {
+record::Records plotted(const std::vector<SceneRun>& runs, const SceneTruth& exact,
+                        const scene::Plot& plot) {
   record::Records table{{"library", "solver", "time", "position", "velocity"}};
   const std::size_t at = 3 * plot.particle + plot.coordinate;
   const auto add = [&](const std::string& library, const std::string& solver, double t,
@@ -47,14 +37,10 @@ record::Records plotted(const scene::Scene& scene, const scene::SceneProblem& pr
   for (const SceneRun& run : runs)
     for (const scene::Frame& frame : run.outcome.frames)
       add(run.entrant->info.library, run.entrant->info.method, frame.t, frame.y);
-  const scene::RunResult& first = runs.front().outcome;
-  if (!problem.structure().closed_form || first.births > 0 || !scene.emitters.empty()) return table;
-  std::vector<double> y(problem.size());
-  for (const scene::Frame& frame : first.frames) {
-    if (frame.y.size() != y.size()) break;
-    problem.closed_form(frame.t, problem.start().data(), y.data());
-    add("truth", "exact", frame.t, y);
-  }
+  if (!exact.problem) return table;
+  std::vector<double> y = exact.problem->start();
+  for (const scene::Frame& frame : runs.front().outcome.frames)
+    if (!(frame.t > 0) || exact.truth.at(frame.t, y.data())) add("truth", "exact", frame.t, y);
   return table;
 }
 
@@ -97,8 +83,76 @@ nlohmann::ordered_json page_facts(const std::string& kind, const RunTexts& texts
           {"facts", facts}};
 }
 
+std::string RunRow::joined(const std::vector<std::string>& remarks) {
+  return fmt::format("{}", fmt::join(remarks, "; "));
+}
+
+RunRow row_of(const Case& c, const CaseRun& run) {
+  const Request& request = run.request;
+  const std::size_t reached = run.reached(c.y0.size());
+  RunRow row;
+  row.take(c, run.entrant->info, request, run.outcome);
+  row.end = request.stops.back();
+  row.reached = reached > 0 ? request.stops[reached - 1] : c.t0;
+  row.truth = c.truth.source;
+  row.floor = c.truth.floor;
+  if (!row.ok()) {
+    row.judged.answer = judge::Answer::none;
+    return row;
+  }
+  row.remarks = judge::remarks(c, request, run.outcome);
+  const judge::Judge judge(c, request.stops);
+  std::vector<judge::StopError> errors = judge.errors(run.outcome);
+  while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();
+  if (errors.empty()) return row;
+  // Outputs are not judged, so that a run with them is answered as one without; the amplification
+  // up to each of hundreds would take a hundred times as long as the run.
+  if (request.over_stops) errors = {errors.back()};
+  std::vector<double> stops;
+  for (const judge::StopError& error : errors) stops.push_back(error.time);
+  row.take_errors(errors);
+  row.error_time = stops.back();
+  if (row.error_time > c.stops.back()) row.floor = c.timed_floor();
+  const judge::StopError& worst =
+      *std::ranges::max_element(errors, [](const auto& a, const auto& b) {
+        return a.error_max < b.error_max || (std::isnan(a.error_max) && !std::isnan(b.error_max));
+      });
+  std::vector<double> exact(c.y0.size());
+  c.truth.at(worst.time, exact.data());
+  const std::size_t component =
+      judge::worst_component(c, run.state_at(worst.time, c.y0.size()), exact.data());
+  row.error_component = component_names(c)[component];
+  row.error_unit = c.units.of(component, exact[component]);
+  judge::Amplification amplification;
+  if (request.mode == Mode::adaptive)
+    amplification = judge::measure_amplification(c, stops, request.tolerance);
+  row.judged =
+      measure::answer_of(request, run.outcome, errors, amplification, row.floor, judge.scale());
+  row.diverged = judge::has_diverged(errors, judge.scale());
+  return row;
+}
+
+RunRow row_of(const SceneRun& run, const std::string& excess, const SceneErrors* errors,
+              const Truth& truth) {
+  RunRow row;
+  row.take(run.entrant->info, 0, run.request, run.outcome);
+  row.end = run.request.stops.back();
+  row.reached = run.outcome.t;
+  row.truth = truth.source;
+  row.floor = truth.floor;
+  const scene::Frame &first = run.outcome.frames.front(), &last = run.outcome.frames.back();
+  row.energy_change = last.kinetic + last.potential - first.kinetic - first.potential;
+  row.judged = scene_answer(run.outcome, run.request.mode, excess, errors);
+  if (!errors || errors->until == 0) return row;
+  row.error = errors->largest;
+  row.error_time = errors->until;
+  row.error_unit = 1;
+  return row;
+}
+
 bool write_case_page(const record::OutputFolder& folder, const Case& c,
-                     const std::vector<CaseRun>& runs, const RunTexts& texts) {
+                     const std::vector<CaseRun>& runs, const std::vector<RunRow>& rows,
+                     const RunTexts& texts) {
   report::Report page(facts_of(runs), folder);
   const ExactStates exact = exact_states(c, runs);
   const record::Records trajectory = case_trajectory(c, runs, exact), steps = case_steps(c, runs);
@@ -108,18 +162,14 @@ bool write_case_page(const record::OutputFolder& folder, const Case& c,
   page.table("runs", "trajectory.csv", trajectory);
   page.table("runs", "steps.csv", steps);
   page.table("runs", "schemes", case_schemes(c, runs));
+  page.table("runs", "curves", case_curves(c, runs));
   page.table("runs", "why.csv", texts.bounds);
-  std::vector<RunRow> rows;
-  for (const CaseRun& run : runs) {
-    RunRow& row = rows.emplace_back();
-    row.take(c, run.entrant->info, run.request, run.outcome);
-    if (row.ok()) row.take_errors({judge::Judge(c, run.request.stops).errors(run.outcome).back()});
-  }
   record::write_rows(rows, folder);
   page.rows("runs", rows);
   ordered_json json = page_facts("case", texts);
   json["components"] = component_names(c);
   json["measured"] = judge::measured_components(c);
+  json["unit"] = judge::unit_text(c);
   json["second_order"] = c.problem.view.second_order();
   json["energy"] = static_cast<bool>(c.energy);
   json["exact_everywhere"] = exact.everywhere;
@@ -128,29 +178,23 @@ bool write_case_page(const record::OutputFolder& folder, const Case& c,
 }
 
 bool write_scene_page(const record::OutputFolder& folder, const scene::Scene& scene,
-                      const scene::SceneProblem& problem, const std::vector<SceneRun>& runs,
-                      const RunTexts& texts) {
+                      const std::vector<SceneRun>& runs, const std::vector<RunRow>& rows,
+                      const SceneTruth& truth, const RunTexts& texts) {
   report::Report page(facts_of(runs), folder);
   record::Records energies{{"library", "solver", "time", "kinetic", "potential", "total"}};
-  std::vector<RunRow> rows;
   for (const SceneRun& run : runs) {
     const SolverInfo& info = run.entrant->info;
-    const auto& frames = run.outcome.frames;
-    for (const scene::Frame& frame : frames)
+    for (const scene::Frame& frame : run.outcome.frames)
       energies.rows.push_back({info.library, info.method, frame.t, frame.kinetic, frame.potential,
                                frame.kinetic + frame.potential});
-    RunRow& row = rows.emplace_back();
-    row.take(info, 0, run.request, run.outcome);
-    row.energy_change = frames.back().kinetic + frames.back().potential - frames.front().kinetic -
-                        frames.front().potential;
-    row.replay = run.folder + "replay.html";
   }
   record::write_rows(rows, folder);
   page.rows("runs", rows);
   page.table("runs", "energies", energies);
   ordered_json json = page_facts("scene", texts);
+  json["unit"] = "in m, of the particle that is farthest from its place, at any frame";
   if (const auto plot = plot_of(scene)) {
-    page.table("runs", "plotted", plotted(scene, problem, runs, *plot));
+    page.table("runs", "plotted", plotted(runs, truth, *plot));
     json["plot"] = {{"particle", plot->particle},
                     {"coordinate", std::string(1, "xyz"[plot->coordinate])}};
     if (plot->y_range) json["plot"]["range"] = *plot->y_range;

@@ -200,6 +200,29 @@ std::string excess_of_energy(const scene::Scene& scene, const scene::RunResult& 
   return {};
 }
 
+judge::JudgedAnswer scene_answer(const scene::RunResult& run, Mode mode, const std::string& excess,
+                                 const SceneErrors* errors) {
+  constexpr double whole = 1, tenth = 0.1;
+  if (run.status != Status::ok) return {.answer = judge::Answer::none, .reason = {}};
+  const auto wrong = [](std::string reason) {
+    return judge::JudgedAnswer{.answer = judge::Answer::wrong, .reason = std::move(reason)};
+  };
+  if (!excess.empty()) return wrong("it has blown up: " + excess);
+  if (run.contacts.passed > 0)
+    return wrong(fmt::format("{} pairs passed through each other", run.contacts.passed));
+  judge::JudgedAnswer judged;
+  if (mode == Mode::adaptive) judged.answer = judge::Answer::undetermined;
+  if (!errors || errors->until == 0) return judged;
+  const double part = errors->size > 0 ? errors->largest / errors->size : 0;
+  if (part >= whole)
+    return wrong(fmt::format("it has diverged, by more than the {:.3g} m that the scene is large",
+                             errors->size));
+  judged.reason =
+      fmt::format("{:.2g} % of the scene's size of {:.3g} m{}", 100 * part, errors->size,
+                  part > tenth ? ", which does not predict its motion" : "");
+  return judged;
+}
+
 std::string text_of_contacts(const scene::Contacts& contacts) {
   const scene::Touching& deepest = contacts.deepest;
   std::string text = "contacts   ";
@@ -212,8 +235,9 @@ std::string text_of_contacts(const scene::Contacts& contacts) {
       contacts.passed == 0
           ? fmt::format("; nothing passed through, between states {:.3g} s apart", contacts.apart)
           : fmt::format(
-                "\nanswer     wrong: {} pairs passed through each other, the first in "
-                "the {:.3g} s before t = {:.6g}: {}",
+                "; {} pairs passed through each other, the first in the {:.3g} s before t = "
+                "{:.6g}: "
+                "{}",
                 contacts.passed, contacts.apart, contacts.first_passed,
                 text_of_pair(contacts.first_pair));
   return text;

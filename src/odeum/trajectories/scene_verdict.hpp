@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "odeum/judge/answer.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "odeum/solvers/case.hpp"
 
 namespace odeum::trajectories {
+
+/// The exact motion beside the runs of a scene; nothing where none is known or asked for.
+struct SceneTruth {
+  std::shared_ptr<const scene::SceneProblem> problem;  ///< whose states the truth has
+  Truth truth = {};
+};
 
 /// The errors of a scene's run at its frames, as far as the truth is known.
 struct SceneErrors {
@@ -33,7 +41,14 @@ std::vector<double> times_to_judge(const std::vector<const scene::RunResult*>& r
 /// dissipate, twice that above the lowest energy before.
 std::string excess_of_energy(const scene::Scene& scene, const scene::RunResult& run);
 
-/// How deep the surfaces of a run were in their thickness, and what passed through: lines of
+/// The answer of a scene's run: wrong where it has blown up (`excess`, see excess_of_energy), where
+/// pairs passed through each other, and where it has diverged, by more than the size of the scene;
+/// else what part of that size the error is. No amplification is measured. `errors`: null where no
+/// truth was asked for or is known.
+judge::JudgedAnswer scene_answer(const scene::RunResult& run, Mode mode, const std::string& excess,
+                                 const SceneErrors* errors);
+
+/// How deep the surfaces of a run were in their thickness, and what passed through: a line of
 /// `odeum run`.
 std::string text_of_contacts(const scene::Contacts& contacts);
 

@@ -155,7 +155,6 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   q.run = q.make(c, solver, request, states_along(q), 0.5);
   q.progress.advance();
   q.why.outcome = q.run.outcome;
-  q.why.outcome.states.clear();
   q.why.reached = q.run.ok() ? request.stops.back() : q.run.ends.back();
   q.why.exact_steps = q.run.exact;
   if (q.run.steps() > 0)

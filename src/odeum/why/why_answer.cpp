@@ -160,7 +160,8 @@ std::string first_line(const Why& why) {
   return text + compared(why);
 }
 
-std::string text_of(const Why& why, const Case& c, const advise::Asked& asked) {
+std::string text_of(const Why& why, const Case& c, const advise::Asked& asked,
+                    const std::vector<std::pair<std::string, std::string>>& judged) {
   std::string text = first_line(why) + "\n";
   text += fmt::format("run            {} {}\n", why.solver, setting_of(why.request, c));
   text += fmt::format("status         {}{}{}\n", to_string(why.outcome.status),
@@ -173,6 +174,7 @@ std::string text_of(const Why& why, const Case& c, const advise::Asked& asked) {
     text +=
         fmt::format("               some {:.2g} more steps to the end, of the length of the last\n",
                     why.steps_left);
+  for (const auto& [name, said] : judged) text += fmt::format("{:<15}{}\n", name, said);
   for (const Finding& finding : why.findings)
     text +=
         fmt::format("{:<15}{}{}\n", name_of(finding.cause),

@@ -21,8 +21,9 @@ struct PrecisionRow : measure::RunRecord, WallTimes, Conditions {
   std::string absolute;  ///< absolute tolerance, or those of all components; of a tolerance run
   std::string options;   ///< values given to the solver's own options: name=value, by spaces
   std::string jacobian;  ///< what the case offers to solvers that use df/dy, see jacobian_of
-  /// The largest error at the neighbouring settings: steps 5 % more and, where the grid allows it,
-  /// fewer; tolerances 1.25 times as large and as small. NaN where these were not run.
+  /// The largest error at the neighbouring settings: steps 2 % and 5 % more and, where the grid
+  /// allows it, fewer; tolerances 1.1 and 1.25 times as large and as small. NaN where these were
+  /// not run.
   double near_error = nan;
   /// How the timed runs call it: `function pointer`, `inlined` (compiled into the solver), or
   /// `guarded`: the time is that of the run that gave the error.
@@ -149,8 +150,11 @@ void mark_pareto(std::vector<PrecisionRow>& rows);
 /// The compared errors: 1e-2 ... 1e-12.
 std::vector<double> compared_errors();
 
-/// Whether a row is a timed run that reaches an error, and not by luck: the neighbouring settings
-/// keep it within twice.
+/// Whether a run reaches an error, and not by luck: the neighbouring settings keep it, or miss it
+/// by less than twice and are not several times as far off as the run itself. `own`, `near`: its
+/// error and the largest of the neighbours, NaN where these were not run.
+bool keeps_error(double own, double near, double error);
+/// The same for a row, which has to be timed.
 bool reaches(const PrecisionRow& row, double error);
 
 /// The fastest of each library at each compared error over the rows of one case: always a row that

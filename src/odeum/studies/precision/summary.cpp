@@ -24,8 +24,13 @@ std::vector<double> compared_errors() {
   return list;
 }
 
+bool keeps_error(double own, double near, double error) {
+  constexpr double twice = 2, several = 4;
+  return own <= error && (near <= error || near <= std::min(twice * error, several * own));
+}
+
 bool reaches(const PrecisionRow& row, double error) {
-  return row.timed() && row.error <= error && row.near_error <= 2 * error;
+  return row.timed() && keeps_error(row.error, row.near_error, error);
 }
 
 void mark_pareto(std::vector<PrecisionRow>& rows) {

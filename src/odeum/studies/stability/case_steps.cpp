@@ -108,8 +108,8 @@ StableStep answer(const RayTask& task) {
     row.detail = found.how;
   }
   if (task.rays->growing > 0)
-    remark(row, fmt::format("an eigenvalue of {:.3g} grows at one of the times, where no step is "
-                            "stable",
+    remark(row, fmt::format("for what decays: at one of the times an eigenvalue of {:.3g} grows, "
+                            "as the solution itself does",
                             task.rays->growing));
   return row;
 }
