@@ -158,7 +158,8 @@ Lines model_of(const scene::ReadScene& read, const Scene& scene, const SceneProb
 
 /// The runs of a scene, and what is known of them.
 struct Runs {
-  std::string name;  ///< of the scene's file
+  std::string name;        ///< of the scene's file
+  bool has_files = false;  ///< whether those of each run are written
   std::vector<SceneRun> runs = {};
   std::vector<std::string> excess = {};  ///< of the energy of each, see excess_of_energy
   std::vector<RunRow> rows = {};
@@ -177,6 +178,7 @@ std::string Runs::judge(const trajectories::SceneTruth& truth) {
     rows.push_back(
         trajectories::row_of(runs[k], excess[k], errors ? &*errors : nullptr, truth.truth));
     rows.back().case_id = name;
+    if (has_files) rows.back().replay = runs[k].folder + "replay.html";
     text += text_of_answer(runs[k], errors ? &*errors : nullptr, rows.back());
   }
   return text;
@@ -219,7 +221,8 @@ int run_read(const scene::ReadScene& read, const cases::Named& source,
   const Lines model = model_of(read, scene, *whole, settings);
   say(text_of(model) + text_of(describe_fits(entrants, options.verbose)));
 
-  Runs all{.name = std::filesystem::path(source.word()).stem().string()};
+  Runs all{.name = std::filesystem::path(source.word()).stem().string(),
+           .has_files = folder.has_value()};
   for (const Entrant* entrant : chosen) {
     const std::clock_t begin = std::clock();
     all.runs.push_back(run_one(scene, *entrant, settings));
