@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace odeum::adapters::sbml {
 namespace {
@@ -223,10 +226,27 @@ std::string MathText::applied(const ASTNode& node) {
   return "(" + text + ")";
 }
 
+bool MathText::are_opposite(const ASTNode& a, const ASTNode& b) {
+  constexpr std::array opposites{std::pair{AST_RELATIONAL_GT, AST_RELATIONAL_LEQ},
+                                 std::pair{AST_RELATIONAL_LT, AST_RELATIONAL_GEQ},
+                                 std::pair{AST_RELATIONAL_EQ, AST_RELATIONAL_NEQ}};
+  const auto is_pair = [&](const auto& pair) {
+    return (a.getType() == pair.first && b.getType() == pair.second) ||
+           (a.getType() == pair.second && b.getType() == pair.first);
+  };
+  return std::ranges::any_of(opposites, is_pair) && a.getNumChildren() == 2 &&
+         b.getNumChildren() == 2 && argument(a, 0) == argument(b, 0) &&
+         argument(a, 1) == argument(b, 1);
+}
+
 std::string MathText::piecewise(const ASTNode& node, unsigned from) {
   if (from >= node.getNumChildren()) throw Unsupported("a piecewise without an otherwise");
   const std::string value = argument(node, from);
   if (from + 1 == node.getNumChildren()) return value;
+  // Programs write the last piece with the opposite of the condition before it, and no otherwise.
+  if (from + 2 == node.getNumChildren() && from >= 2 &&
+      are_opposite(*node.getChild(from - 1), *node.getChild(from + 1)))
+    return value;
   return "if(" + condition(*node.getChild(from + 1)) + ", " + value + ", " +
          piecewise(node, from + 2) + ")";
 }

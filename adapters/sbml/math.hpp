@@ -37,6 +37,8 @@ class MathText {
   std::string leaf(const ASTNode& node);
   std::string arithmetic(const ASTNode& node);
   std::string call(const ASTNode& node);
+  /// Whether one of two comparisons holds where the other one does not.
+  bool are_opposite(const ASTNode& a, const ASTNode& b);
   std::string piecewise(const ASTNode& node, unsigned from);
   std::string comparison(const ASTNode& node, const char* sign);
   std::string applied(const ASTNode& node);

@@ -62,6 +62,24 @@ double output(const formula::Problem& p, const std::string& name, const std::vec
   return 0;
 }
 
+// A model of a benchmark collection, as COPASI writes it.
+TEST(Sbml, APieceWithTheOppositeConditionIsTheOtherwise) {
+  const auto rule = [](const std::string& last) {
+    return cell + species + reaction +
+           R"(<listOfParameters><parameter id="x" constant="false"/></listOfParameters>
+<listOfRules><assignmentRule variable="x">)" +
+           math(
+               "<piecewise><piece><cn>1</cn><apply><gt/><ci>A</ci><cn>2</cn></apply></piece>"
+               "<piece><cn>3</cn><apply>" +
+               last + "</apply></piece></piecewise>") +
+           "</assignmentRule></listOfRules>";
+  };
+  const formula::Problem p = problem(model(rule("<leq/><ci>A</ci><cn>2</cn>")));
+  EXPECT_DOUBLE_EQ(output(p, "x", {3, 2}), 1);
+  EXPECT_DOUBLE_EQ(output(p, "x", {2, 2}), 3);
+  expect_fault(model(rule("<lt/><ci>A</ci><cn>2</cn>")), "a piecewise without an otherwise");
+}
+
 TEST(Sbml, AmountsAndConcentrationsOfAReaction) {
   const formula::Problem p = problem(model(cell + species + reaction));
   // A taken word gives way as a name, and stays one of a column.

@@ -23,8 +23,9 @@ std::string fault_of(const std::string& text, std::vector<std::string>* warnings
 
 TEST(Mapping, NamesThePlaceAndThePathOfAFault) {
   EXPECT_EQ(fault_of("a: {x: 1}\n"), "");
-  EXPECT_EQ(fault_of("[1]\n"),
-            "f.yaml:1:1: format: not a mapping; got a list of 1, expected keys and values");
+  EXPECT_EQ(
+      fault_of("[1]\n"),
+      "f.yaml:1:1: format: not a mapping; got a list of 1, expected keys and values, as {a: ...}");
   EXPECT_EQ(fault_of("a: {x: 1}\nbb: 1\n"),
             "f.yaml:2:1: bb: an unknown key; did you mean b?; got bb, expected one of a, b");
   EXPECT_EQ(fault_of("a: {y: 1}\n"),

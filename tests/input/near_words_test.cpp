@@ -14,6 +14,15 @@ TEST(Nearest, FindsWhatWasMeant) {
   EXPECT_EQ(nearest("heun", {"heun", "huen"}), "heun");
 }
 
+TEST(Nearest, KnowsWhatOtherProgramsCallAKey) {
+  const std::vector<std::string> keys{"states", "equations", "time"};
+  EXPECT_EQ(nearest("y0", keys), "states");
+  EXPECT_EQ(nearest("start", keys), "states");
+  EXPECT_EQ(nearest("odes", keys), "equations");
+  EXPECT_EQ(nearest("tspan", keys), "time");
+  EXPECT_EQ(nearest("tspan", {"mass"}), "");
+}
+
 TEST(Nearest, SaysNothingWhereNothingIsNear) {
   EXPECT_EQ(nearest("lorenz", {"odeum/rk4", "free_fall"}), "");
   EXPECT_EQ(nearest("abc", {"xyz"}), "");

@@ -86,6 +86,44 @@ TEST(PatternLu, RefusesWhatIsSingularOrNotFinite) {
   EXPECT_TRUE(lu.factorise({0, 1, 1, 0}, 0.5));
 }
 
+// Of more unknowns the truth has factors, in extended precision.
+TEST(PatternLu, SolvesForManyUnknownsAndRefusesTooManyMultiplications) {
+  Random random;
+  for (const int n : {300, 1500}) {
+    SCOPED_TRACE(n);
+    // A tree with its leaves first, whose elimination adds nothing.
+    Sparsity pattern;
+    std::vector<std::vector<int>> rows(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
+      const int root = n - 1 - (n - 1 - i) / 3;
+      rows[static_cast<std::size_t>(i)].push_back(i);
+      if (root == i) continue;
+      rows[static_cast<std::size_t>(i)].push_back(root);
+      rows[static_cast<std::size_t>(root)].push_back(i);
+    }
+    for (auto& row : rows) {
+      std::sort(row.begin(), row.end());
+      pattern.add_row(row);
+    }
+    std::vector<double> values(pattern.entries());
+    for (double& value : values) value = random();
+    const auto how = std::make_shared<const Elimination>(pattern);
+    EXPECT_EQ(how->column.size(), pattern.entries());
+    PatternLu<long double> lu(pattern, how);
+    ASSERT_TRUE(lu.factorise(values, 0.05L));
+    std::vector<long double> x(static_cast<std::size_t>(n), 1);
+    lu.solve(x.data());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      long double left = x[i];
+      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
+        left -= 0.05L * values[static_cast<std::size_t>(k)] *
+                x[static_cast<std::size_t>(pattern.column[static_cast<std::size_t>(k)])];
+      EXPECT_NEAR(static_cast<double>(left), 1, 1e-17);  // some roundings of extended precision
+    }
+    EXPECT_THROW(Elimination(pattern, 10), std::length_error);
+  }
+}
+
 TEST(PatternLu, ChoosesAnOrderWithoutFill) {
   // An arrow whose tip is the first unknown: elimination in the given order fills the matrix.
   Sparsity arrow;

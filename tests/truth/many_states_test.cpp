@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // References of many states, of which each run takes seconds.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
 
+#include "odeum/cases/text_truth.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::many_states_test {
@@ -55,6 +58,30 @@ TEST(ManyStates, NoWorkIsSpentOnTolerancesBelowRounding) {
     EXPECT_LE(std::abs(found.states.back()[i] - phase * chain.shape(i)), found.floors.back()[i]);
   EXPECT_LE(*std::ranges::max_element(found.floors.back()), 1e-11);
   EXPECT_LE(*chain.evaluations, 40'000U);
+}
+
+// Networks of more species than a full matrix is taken for, in no order of which the Jacobian has a
+// narrow band: a hub that decays, and what relaxes to it at rates of 2 to 1e7, with closed forms.
+TEST(ManyStates, StiffNetworksAreKnownByTheEntriesOfTheirJacobian) {
+  constexpr int leaves = 66;
+  std::string states = "hub: 1", equations = "hub: -hub";
+  std::vector<double> exact{std::exp(-2.0)};
+  for (int i = 0; i < leaves; ++i) {
+    const double k = 2 * std::pow(10.0, i * 6.7 / (leaves - 1));
+    states += fmt::format(", s{}: 0", i);
+    equations += fmt::format(", s{0}: {1:.17g}*(hub - s{0})", i, k);
+    exact.push_back(k / (k - 1) * (std::exp(-2.0) - std::exp(-2 * k)));
+  }
+  const cases::TextTruth truth = cases::truth_of(std::make_shared<const formula::TextOde>(
+      formula::read_problem("f", fmt::format("{{states: {{{}}}, equations: {{{}}}, time: "
+                                             "{{end: 2, stops: [2]}}}}",
+                                             states, equations)),
+      formula::TextOde::Code::interpreted));
+  std::vector<double> y(exact.size());
+  ASSERT_TRUE(truth.truth.at(2, y.data())) << truth.truth.source;
+  for (std::size_t i = 0; i < y.size(); ++i)
+    EXPECT_NEAR(y[i], exact[i], 1e-14 + truth.truth.floor) << i;  // rounding of the closed forms
+  EXPECT_LE(truth.truth.floor, 1e-12);
 }
 
 }  // namespace

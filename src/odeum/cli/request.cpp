@@ -120,8 +120,9 @@ std::string text_of_tolerance(const Request& request) {
   if (absolutes.empty()) return fmt::format("{}", relative);
   constexpr std::size_t most = 8;
   const auto shown = std::min(absolutes.size(), most);
+  // A proposed scale times a tolerance is not a short number in binary.
   return fmt::format(
-      "rtol {}, atol {}{}", relative,
+      "rtol {}, atol {:.6g}{}", relative,
       fmt::join(absolutes.begin(), absolutes.begin() + static_cast<std::ptrdiff_t>(shown), ","),
       shown < absolutes.size() ? ",..." : "");
 }

@@ -112,7 +112,7 @@ void Reader::read_parameters() {
 void Reader::read_time() {
   const Item* const time = section("time");
   if (!time) fail({}, "time: missing; got no such key, expected `time: {{end: 20}}`");
-  constexpr std::string_view keys[] = {"start", "end", "stops"};
+  constexpr std::string_view keys[] = {"end", "start", "stops"};
   const std::vector<Item> all = items(*time->value, "time", keys);
   const Item *const start = input::entry_of(all, "start"), *const end = input::entry_of(all, "end"),
                     *const stops = input::entry_of(all, "stops");

@@ -170,7 +170,9 @@ std::string Value::path_of(std::string_view key) const {
 }
 
 void Value::require_keys(Keys known) const {
-  if (node_->kind != YamlNode::Kind::mapping) fail("not a mapping", "keys and values");
+  if (node_->kind != YamlNode::Kind::mapping)
+    fail("not a mapping", known.empty() ? "keys and values"
+                                        : fmt::format("keys and values, as {{{}: ...}}", known[0]));
   const auto among = [](Keys keys, const std::string& key) {
     return std::ranges::find(keys, key) != keys.end();
   };

@@ -8,8 +8,33 @@
 #include <numeric>
 
 namespace odeum {
+namespace {
+
+/// Words of other programs for keys of texts and scenes.
+struct Synonyms {
+  std::string_view key;
+  std::vector<std::string_view> words;
+};
+const Synonyms synonyms[] = {
+    {"states",
+     {"start", "initial", "initial_values", "initial_conditions", "init", "ic", "y0", "x0", "u0",
+      "variables"}},
+    {"equations", {"ode", "odes", "rhs", "dynamics", "derivatives", "f", "model", "system"}},
+    {"time",
+     {"t", "end", "t_end", "tspan", "t_span", "interval", "until", "duration", "t_final", "tf"}},
+    {"parameters", {"constants", "consts", "params", "p", "args"}},
+    {"definitions", {"let", "where", "algebraic", "auxiliary", "expressions", "functions"}},
+    {"exact", {"solution", "analytic", "analytical"}},
+    {"end", {"stop", "t_end", "to", "final", "t1", "tf", "duration"}},
+};
+
+}  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  for (const auto& [key, words] : synonyms)
+    if (std::ranges::find(words, word) != words.end() &&
+        std::ranges::find(candidates, key) != candidates.end())
+      return std::string(key);
   std::string best;
   std::size_t best_distance = word.size() / 3 + 2;
   std::vector<std::size_t> row;

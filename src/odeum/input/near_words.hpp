@@ -6,8 +6,8 @@
 
 namespace odeum {
 
-/// The candidate with the smallest edit distance to an unknown word, for "did you mean"; empty
-/// where that exceeds a third of its length plus one.
+/// For "did you mean": the candidate that other programs call by an unknown word, or the one with
+/// the smallest edit distance to it; empty where that exceeds a third of its length plus one.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// "; did you mean X?" with the nearest candidate; empty where none is near.

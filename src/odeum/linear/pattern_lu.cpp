@@ -9,10 +9,10 @@
 namespace odeum::linear {
 namespace {
 
-using Unknowns = std::bitset<Elimination::most_unknowns>;
-
 /// The entries by rows and by columns, the diagonal among them, and those that elimination adds.
+template <std::size_t N>
 struct Filled {
+  using Unknowns = std::bitset<N>;
   std::vector<Unknowns> rows, columns;
 
   explicit Filled(const Sparsity& pattern) : rows(pattern.unknowns()), columns(pattern.unknowns()) {
@@ -45,23 +45,20 @@ struct Filled {
   }
 };
 
-}  // namespace
-
-Elimination::Elimination(const Sparsity& pattern) {
+/// Fills all but the lists that follow from these; returns the place of each entry, both by number.
+template <std::size_t N>
+std::vector<int> order_and_fill(const Sparsity& pattern, Elimination& e) {
+  auto& [order, start, diagonal, column, places, targets] = e;
   const std::size_t n = pattern.unknowns();
-  if (n > most_unknowns) throw std::length_error("a list of eliminations: too many unknowns");
-  Filled filled(pattern);
-  Unknowns left;
+  Filled<N> filled(pattern);
+  std::bitset<N> left;
   for (std::size_t i = 0; i < n; ++i) left.set(i);
-  std::vector<std::size_t> number(n);
-  for (std::size_t k = 0; k < n; ++k) {
+  for (std::size_t k = 0; k < n; ++k)
     order.push_back(static_cast<int>(filled.eliminate_next(left)));
-    number[static_cast<std::size_t>(order.back())] = k;
-  }
-  std::vector<int> at(n * n, -1);  // place of an entry, both by number
+  std::vector<int> at(n * n, -1);
   for (std::size_t i = 0; i < n; ++i) {
     start.push_back(static_cast<int>(column.size()));
-    const Unknowns& row = filled.rows[static_cast<std::size_t>(order[i])];
+    const std::bitset<N>& row = filled.rows[static_cast<std::size_t>(order[i])];
     for (std::size_t j = 0; j < n; ++j) {
       if (!row[static_cast<std::size_t>(order[j])]) continue;
       at[i * n + j] = static_cast<int>(column.size());
@@ -70,9 +67,30 @@ Elimination::Elimination(const Sparsity& pattern) {
     }
   }
   start.push_back(static_cast<int>(column.size()));
+  return at;
+}
+
+}  // namespace
+
+Elimination::Elimination(const Sparsity& pattern, double most_multiplications) {
+  const std::size_t n = pattern.unknowns();
+  if (n > largest) throw std::length_error("a list of eliminations: too many unknowns");
+  const std::vector<int> at = n <= 128    ? order_and_fill<128>(pattern, *this)
+                              : n <= 1024 ? order_and_fill<1024>(pattern, *this)
+                                          : order_and_fill<largest>(pattern, *this);
+  std::vector<std::size_t> number(n);
+  for (std::size_t k = 0; k < n; ++k) number[static_cast<std::size_t>(order[k])] = k;
   for (std::size_t i = 0; i < n; ++i)
     for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
       places.push_back(at[number[i] * n + number[static_cast<std::size_t>(pattern.column[k])]]);
+  double multiplications = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (int p = start[i]; p < diagonal[i]; ++p) {
+      const auto k = static_cast<std::size_t>(column[p]);
+      multiplications += start[k + 1] - diagonal[k];
+    }
+  if (multiplications > most_multiplications)
+    throw std::length_error("a list of eliminations: too many multiplications");
   for (std::size_t i = 0; i < n; ++i)
     for (int p = start[i]; p < diagonal[i]; ++p) {
       const auto k = static_cast<std::size_t>(column[p]);

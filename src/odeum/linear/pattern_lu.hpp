@@ -14,12 +14,13 @@
 
 namespace odeum::linear {
 
-/// The elimination of few unknowns with pivots on the diagonal, in the order of least fill
-/// (Markowitz, Management Science 3 (1957) 255-269), as lists of places: no search, no zeros.
+/// Elimination with pivots on the diagonal, in the order of least fill (Markowitz, Management
+/// Science 3 (1957) 255-269), as lists of places: no search, no zeros.
 struct Elimination {
-  static constexpr std::size_t most_unknowns = 128;
-  /// Throws std::length_error for more.
-  explicit Elimination(const Sparsity& pattern);
+  static constexpr std::size_t most_unknowns = 128;  ///< of which runs in double make one
+  static constexpr std::size_t largest = 4096;
+  /// Throws std::length_error for more unknowns than `largest`, or more multiplications.
+  explicit Elimination(const Sparsity& pattern, double most_multiplications = 1e8);
 
   std::vector<int> order;            ///< order[k]: the unknown that comes as number k
   std::vector<int> start, diagonal;  ///< of the rows of both factors in that order, and of pivots
@@ -49,7 +50,7 @@ class ListedLu {
   bool eliminate() {
     const Elimination& e = how_;
     const int* target = e.targets.data();
-    double largest = 0;
+    decltype(std::norm(Scalar())) largest = 0;
     for (std::size_t i = 0; i < x_.size(); ++i) {
       for (int p = e.start[i]; p < e.diagonal[i]; ++p) {
         const auto k = static_cast<std::size_t>(e.column[p]);
@@ -104,27 +105,31 @@ class ListedLu {
 };
 
 /// Factors of I - g J, J of the pattern. Where a multiplier is large, by a dense matrix with
-/// exchanges of rows. The pattern must outlive them.
+/// exchanges of rows, of most_unknowns at most. The pattern must outlive them.
 template <class Scalar>
 class PatternLu {
  public:
   PatternLu(const Sparsity& pattern, std::shared_ptr<const Elimination> how)
       : pattern_(pattern), how_(std::move(how)), listed_(*how_) {}
 
-  /// `values`: of the entries of J. False where the matrix is singular or not finite.
-  bool factorise(const std::vector<double>& values, Scalar g) {
+  /// `values`: of the entries of J. False where the matrix is singular or not finite, or has a
+  /// large multiplier and too many unknowns.
+  template <class Real = double>
+  bool factorise(const std::vector<Real>& values, Scalar g) {
     Scalar* const lu = listed_.cleared();
     for (const int at : how_->diagonal) lu[at] = 1;
     for (std::size_t k = 0; k < values.size(); ++k) lu[how_->places[k]] -= g * values[k];
     eliminated_ = listed_.eliminate();
-    return eliminated_ || factorise_dense(values, g);
+    return eliminated_ ||
+           (pattern_.unknowns() <= Elimination::most_unknowns && factorise_dense(values, g));
   }
 
   /// Overwrites x, of all unknowns.
   void solve(Scalar* x) { eliminated_ ? listed_.solve(x) : dense_->solve(x); }
 
  private:
-  bool factorise_dense(const std::vector<double>& values, Scalar g) {
+  template <class Real = double>
+  bool factorise_dense(const std::vector<Real>& values, Scalar g) {
     const std::size_t n = pattern_.unknowns();
     if (!dense_) dense_.emplace(n);
     Scalar* const m = dense_->data();

@@ -83,11 +83,13 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
   };
   const bool has_own = c.truth.at(c.stops.back(), state.data());
   truth.source = has_own ? c.truth.source + "; between its times " : "";
+  if (states->empty()) {
+    truth.source += fmt::format("nothing by {}: {}", reference.methods, reference.end);
+    return truth;
+  }
   truth.source += fmt::format("a reference computed by {}, which agree to {:.1e}",
                               reference.methods, reference.disagreement);
-  if (states->empty())
-    truth.source += ": nothing is known, since " + reference.end;
-  else if (!reference.end.empty())
+  if (!reference.end.empty())
     truth.source += fmt::format(", up to t = {:.6g}: {}", reference.known_until, reference.end);
   return truth;
 }

@@ -22,6 +22,9 @@
 ///     system.rhs = [](Real, const Real* y, Real* f) { f[0] = -y[0]; };
 ///     const Reference known = compute_reference(system, {1, 2}, {});
 ///     // known.states[k][0] is exp(-known.times[k]); 1 and 2 are among the times
+namespace odeum::linear {
+struct Elimination;
+}
 namespace odeum::truth {
 
 using Real = long double;
@@ -79,9 +82,10 @@ struct System {
   State y0;
   std::function<void(Real t, const Real* y, Real* f)> rhs;
   std::function<void(Real t, const Real* y, Real* j)> jacobian;  ///< dense, row-major
-  /// Many states whose Jacobian has a narrow band in some order: its pattern and values, instead of
-  /// `jacobian`.
+  /// Many states whose Jacobian has few entries: its pattern and values, instead of `jacobian`; and
+  /// how it is eliminated, null: as a band.
   std::shared_ptr<const Sparsity> sparsity;
+  std::shared_ptr<const linear::Elimination> elimination;
   std::function<void(Real t, const Real* y, Real* values)> entries;
   /// Coefficients of the Taylor series, see WithTaylorSeries; empty: none.
   std::function<void(Real t, const Real* y, int order, Real* c)> taylor;
