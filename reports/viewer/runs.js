@@ -259,8 +259,8 @@
       size = (value) => ({ text: number(value, 4), value });
     return tableOf(
       [
-        'solver', 'status', 'answer', `error, ${about.unit}`, 'setting', 'steps', 'rejected',
-        'evaluations', ...(scene ? ['change of energy (J)'] : []),
+        'solver', 'status', 'error', 'setting', 'steps', 'rejected', 'evaluations',
+        ...(scene ? ['change of energy (J)'] : []), 'answer',
       ].map((text) => ({ text })),
       runs.map((run) => ({
         cells: [
@@ -269,10 +269,9 @@
             text: run.status + (run.detail ? `: ${run.detail}` : ''),
             class: run.status === 'ok' ? undefined : 'reason',
           },
-          { text: answerText(run), class: run.answer === 'wrong' ? 'reason' : undefined },
           size(run.error_max), { text: settingText(run) },
           ...[run.steps, run.rejected_steps, run.rhs_evaluations].map(count),
-          ...(scene ? [size(run.energy_change)] : []),
+          ...(scene ? [size(run.energy_change)] : []), { text: answerText(run), class: 'reason' },
         ],
       })),
     );
@@ -293,7 +292,12 @@
         about.facts.map(([name, text]) => [html('dt', {}, name), html('dd', {}, text)]),
       ),
     );
-    if (runs.length) host.append(runTable(about, runs), ...remarksOf(runs));
+    if (runs.length)
+      host.append(
+        runTable(about, runs),
+        ...(about.unit ? [html('p', { class: 'unit' }, `Errors are ${about.unit}.`)] : []),
+        ...remarksOf(runs),
+      );
     const figures = html('div', { class: 'figures' });
     host.append(figures);
     await pageFigures[about.kind](figures, about, runs);

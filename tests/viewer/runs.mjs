@@ -39,7 +39,7 @@ const checks = {
       const shown = await all('tbody tr', `[...e.cells].map((c) => c.textContent)`), said = (await all('p.remark')).join('\n');
       same(shown.length, rows.length, name);
       rows.forEach((row, k) => {
-        const [solver, status, answer, error] = shown[k];
+        const [solver, status, error] = shown[k], answer = shown[k].at(-1);
         same(solver, `${row.library}/${row.solver}`, name);
         same(status, row.status + (row.detail ? `: ${row.detail}` : ''), name);
         hold(answer.includes(row.answer_reason), `${name}: ${answer}`);
@@ -51,7 +51,7 @@ const checks = {
   },
   async 'a run that diverged is not ok alone'() {
     await open('diverged');
-    const shown = await all('tbody tr', `[...e.cells].slice(0, 3).map((c) => c.textContent)`);
+    const shown = await all('tbody tr', `[0, 1, e.cells.length - 1].map((k) => e.cells[k].textContent)`);
     hold(/^wrong: the run ended ok and has diverged: an error of /.test(shown.find(([name]) => name === 'odeum/explicit_euler')[2]), String(shown));
     same(shown.find(([name]) => name === 'odeum/rk4'), ['odeum/rk4', 'ok', 'no error was promised'], 'who did not');
   },
