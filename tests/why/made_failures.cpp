@@ -479,7 +479,7 @@ const std::vector<MadeFailure>& made_failures() {
        .relative = 1e-5,
        .absolute = {1e-6},
        .causes = {absolute},
-       .also = {accuracy, stability},
+       .also = {accuracy, stability, amplification},
        .end = {4.5159641853706725e-13, 0.24116506229876722, 0.11564460188484209}},
       {.name = "bucket_that_overflows",
        .text = "states: {S: 0}\nequations: {S: '2 + sin(t) - 3*max(S - 1, 0) - 0.1*S'}\n"

@@ -105,7 +105,9 @@ int why_on(Session& session, const WhyOptions& options, const CLI::App& command)
   require_no_events(c, "why");
   const RunSettings settings = settings_for(c, options.settings);
   if (!has_setting(settings)) throw UsageError("why needs --step or --tol, or --rtol and --atol");
-  const Entrant& entrant = find_entrant(c.entrants, c.id, options.solver);
+  // One that does not fit is a cause, too, beside which others are named.
+  const Entrant* const listed = c.entrants.find(with_library(options.solver));
+  const Entrant& entrant = listed ? *listed : find_entrant(c.entrants, c.id, options.solver);
   const Request request = make_request(settings, c.t0, c.end(), c.y0.size(), entrant.info);
   const why::Why why =
       why::why(c, entrant.info.id(), request,

@@ -94,6 +94,30 @@ void look_for_domain(Inquiry& q, const Run& run) {
   }
 }
 
+/// The time at which component i is infinite as the logarithm of the time that is left, where one
+/// over its slope falls on a straight line in t, over a decade and more.
+std::optional<double> grows_as_logarithm(const Case& c, const Run& run, std::size_t i) {
+  constexpr double rounding = 1e-9, decades = 1e4, least_range = 10, near = 0.3;
+  constexpr std::size_t least = 4;
+  std::vector<double> t, inverse;  // from the last one on
+  for (std::size_t k = run.moments.size(); k-- > 0;) {
+    const Moment& at = run.moments[k];
+    const double each = 1 / slope(c, at.t, at.y)[i];
+    if (!(std::abs(each) > rounding * std::abs(at.t))) continue;
+    if (!inverse.empty() && !(each / inverse.back() > 1 && each / inverse.front() < decades)) break;
+    t.push_back(at.t);
+    inverse.push_back(each);
+  }
+  if (t.size() < least || !(inverse.back() > least_range * inverse.front())) return {};
+  const double slope_of_line = (inverse.front() - inverse.back()) / (t.front() - t.back()),
+               at = t.front() - inverse.front() / slope_of_line;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const double expected = slope_of_line * (t[k] - at);
+    if (!(std::abs(inverse[k] - expected) < near * std::abs(expected))) return {};
+  }
+  return at;
+}
+
 void look_for_singular_slope(Inquiry& q, const Run& run) {
   const Moment &end = run.moments.back(), &start = run.moments.front();
   const std::vector<double> now = slope(q.c, end.t, end.y), then = slope(q.c, start.t, start.y);
@@ -108,6 +132,14 @@ void look_for_singular_slope(Inquiry& q, const Run& run) {
     // It would leave its size many times in what is left.
     if (std::isfinite(now[i]) && std::abs(now[i]) > 1e3 * usual &&
         std::abs(now[i]) * left > 100 * size) {
+      if (const auto at = grows_as_logarithm(q.c, run, i)) {
+        q.add(Cause::pole, nan, *at,
+              fmt::format("{} grows beyond all bounds at t = {:.6g}, as a logarithm: it is {:.3g} "
+                          "at t = {:.8g}, and one over its slope falls in proportion to the time "
+                          "that is left",
+                          q.names[i], *at, end.y[i], end.t));
+        return;
+      }
       q.add(Cause::singular, nan, end.t,
             fmt::format("the slope of {} grows beyond all bounds at t = {:.8g}, where it is {:.2g} "
                         "and {} = {:.3g}: the solution ends there",

@@ -256,6 +256,9 @@ void try_settings(Inquiry& q) {
     q.why.advice =
         "equations with a smooth law in place of the jump, as tanh(x/e) for sign(x), have "
         "a solution in the usual sense";
+    // Equal steps cross the jump by their own length, and are rejected nowhere.
+    constexpr double as_many_parts = 1e4;
+    if (!q.known) try_equal_steps(q, (end - t0) / as_many_parts);
     if (q.known || !(finding.from > t0)) continue;
     request = q.run.request;
     request.record_steps = false;

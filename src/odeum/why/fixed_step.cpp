@@ -89,18 +89,31 @@ void look_for_fineness(Inquiry& q) {
   constexpr std::uint64_t times = 10, least_steps = 10;
   const double enough =
       std::max({q.run.ok() ? 3 * q.difference(q.run) : usual_tolerance, 1e-9, q.known->doubt});
+  // What all such steps miss hides the error of the rest: then it ends where this one does.
+  const bool missed = q.found(Cause::pulse);
+  const auto as_good = [&](const Run& other) {
+    return missed ? other.ok() && q.apart(other, q.run) <= usual_tolerance
+                  : q.difference(other) <= enough;
+  };
   Request coarser = q.run.request;
   std::optional<std::size_t> found;
   while (coarser.steps > times * least_steps && q.time_for_more(0.1)) {
     coarser.steps /= times;
     const std::size_t k = q.also(q.why.solver, coarser, 0.2);
     const bool unpaid = q.others[k].outcome.status == Status::over_budget;
-    if (!unpaid && !(q.difference(q.others[k]) <= enough)) break;
+    if (!unpaid && !as_good(q.others[k])) break;
     if (!unpaid) found = k;
   }
   if (!found || !q.others[*found].ok()) return;
   const double longer = static_cast<double>(q.run.request.steps) /
                         static_cast<double>(q.others[*found].request.steps);
+  if (missed) {
+    q.add(Cause::too_fine, nan, q.c.t0,
+          fmt::format("beside that, the step is far finer than the rest needs: one {:.3g} times as "
+                      "long ends within {:.2g} of this one",
+                      longer, usual_tolerance));
+    return;
+  }
   q.add(Cause::too_fine, 1, q.c.t0,
         fmt::format("the step is far finer than its error needs: one {:.3g} times as long ends "
                     "{:.2g} of the solution's size away{}",
@@ -166,6 +179,7 @@ void look_at_fixed_step(Inquiry& q) {
   }
   if (q.run.ok()) look_for_kinks(q);
   if (q.run.ok() && !q.found(Cause::sliding)) look_for_unseen(q);
+  if (q.found(Cause::pulse)) look_for_fineness(q);
   if (std::isnan(off)) return look_at_amplification(q);
   look_at_energy(q, step, off);
   if (size < 3 ? feeds_what_decays(q, off) : steps_inside_help(q)) look_at_edge(q);

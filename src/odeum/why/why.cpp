@@ -106,7 +106,7 @@ void look_at_steps(Inquiry& q) {
   if (q.run.ok()) {
     const bool missed = q.found(Cause::pulse) || q.found(Cause::aliasing);
     if (!missed && !q.found(Cause::absolute)) look_for_growth_from_below(q);
-    if (!missed && !q.found(Cause::absolute)) look_at_amplification(q);
+    if (!missed) look_at_amplification(q);
     // Where no tolerance helps, a run that ends near the solution does so by chance.
     if (q.trusted && !explained && !q.no_tolerance_helps() && q.difference(q.run) > far_off)
       look_for_leaving(q);
@@ -147,7 +147,8 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
     q.run.outcome.status = q.why.outcome.status = Status::refused;
     q.run.ends = {c.t0};
     q.run.moments.push_back({c.t0, 0, 0, c.y0});
-    q.add(Cause::unfit, nan, nan, entrant ? entrant->unfit : "no such solver");
+    q.add(Cause::unfit, nan, nan,
+          solver + (entrant ? " does not fit: " + entrant->unfit : " is not there"));
     try_others(q);
     choose(q);
     return q.why;
