@@ -86,7 +86,6 @@ constexpr Examples examples[]{
      "odeum poisson my.msh --load 'x*y' --refine 2 --out DIR"},
     {"doctor", "odeum doctor", "odeum doctor --plugin ./libmine.so"},
     {"completion", "odeum completion bash", "odeum completion man"},
-    {"help", "odeum help run", "odeum help"},
     {"reduction", "odeum reduction --solver 'odeum/sdirk*'", "odeum reduction --out DIR"},
     {"material", "odeum material --solver 'bullet/*'", "odeum material --out DIR"},
     {"cloth", "odeum cloth --solver symplectic_euler", "odeum cloth --out DIR"},
