@@ -191,7 +191,7 @@ TEST(Compare, AColumnTwiceIsNoTable) {
     write_text(folder.path() / name / "x.csv", "schema,nan,,\n1,2,3,4\n");
   }
   EXPECT_THROW(compare::compare_folders(folder.path() / "a", folder.path() / "b", {}, 0),
-               FileError);
+               record::FileError);
 }
 
 }  // namespace
