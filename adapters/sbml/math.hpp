@@ -31,9 +31,9 @@ class MathText {
   MathText(const Model& model, const Meaning& meaning) : model_(model), meaning_(meaning) {}
 
   std::string number(const ASTNode& node);
+  std::string condition(const ASTNode& node);
 
  private:
-  std::string condition(const ASTNode& node);
   std::string leaf(const ASTNode& node);
   std::string arithmetic(const ASTNode& node);
   std::string call(const ASTNode& node);

@@ -32,6 +32,24 @@ void Translation::collect() {
   // Names of the model first: what is made of them gives way.
   for (const std::string& id : order_) quantities_.at(id).name = text_.new_name(id);
   collect_rules();
+  collect_events();
+}
+
+void Translation::collect_events() {
+  for (unsigned k = 0; k < model_.getNumEvents(); ++k) {
+    const Event& event = *model_.getEvent(k);
+    for (unsigned j = 0; j < event.getNumEventAssignments(); ++j) {
+      const EventAssignment& assignment = *event.getEventAssignment(j);
+      const auto found = quantities_.find(assignment.getVariable());
+      if (found == quantities_.end())
+        throw ElementError(assignment, "an event that sets " + assignment.getVariable() +
+                                           ", which the model has not");
+      if (found->second.assigned)
+        throw ElementError(assignment, "an event that sets " + assignment.getVariable() +
+                                           ", which a rule assigns");
+      found->second.is_reset = true;
+    }
+  }
 }
 
 void Translation::collect_rules() {
@@ -64,7 +82,7 @@ const Quantity& Translation::quantity(const std::string& id) const {
 
 bool Translation::volume_changes(const Species& species) const {
   const Quantity& q = quantity(species.getCompartment());
-  return q.rated || q.assigned;
+  return q.rated || q.assigned || q.is_reset;
 }
 
 bool Translation::is_amount(const Species& species) const {

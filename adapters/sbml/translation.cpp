@@ -24,15 +24,17 @@ void Translation::write_species(const std::string& id, const Quantity& q) {
   } else {
     const bool reacts = is_changed_by_reactions(s);
     if (!amount && moves) {
-      const std::string name = text_.new_name(q.name + "_amount");
-      if (reacts)
-        add_state(name, start_amount(id, s), made(s, false));
+      const std::string name = amounts_[id] = text_.new_name(q.name + "_amount");
+      if (reacts || q.is_reset)
+        add_state(name, start_amount(id, s), reacts ? made(s, false) : "0");
       else
         text_.parameter(name, start_amount(id, s));
       text_.definition(q.name, name + "/" + v);
     } else if (reacts) {
       add_state(q.name, start_of(id),
                 amount ? made(s, false) : fmt::format("({})/{}", made(s, false), v));
+    } else if (q.is_reset) {
+      add_state(q.name, start_of(id), "0");
     } else {
       text_.parameter(q.name, start_of(id));
     }
@@ -57,6 +59,8 @@ void Translation::write_other(const std::string& id, const Quantity& q) {
     text_.definition(q.name, expression(*q.assigned, *q.element, false));
   else if (q.rated)
     add_state(q.name, start_of(id), expression(*q.rated, *q.element, false));
+  else if (q.is_reset)
+    add_state(q.name, start_of(id), "0");
   else if (q.initial)
     text_.parameter(q.name, expression(*q.initial, *q.element, true));
   else if (q.kind == Kind::reference &&
@@ -85,7 +89,6 @@ void Translation::write_locals(const Reaction& reaction) {
 
 std::string Translation::text(double end) {
   collect();
-  if (model_.getNumEvents() > 0) throw ElementError(*model_.getEvent(0), "events");
   for (unsigned k = 0; k < model_.getNumReactions(); ++k) write_locals(*model_.getReaction(k));
   for (const std::string& id : order_) {
     const Quantity& q = quantities_.at(id);
@@ -94,6 +97,8 @@ std::string Translation::text(double end) {
     else
       write_other(id, q);
   }
+  for (unsigned k = 0; k < model_.getNumEvents(); ++k)
+    write_event(*model_.getEvent(k), static_cast<int>(k));
   // Ids before what is derived of them.
   for (const std::string& id : order_) text_.output(id, quantities_.at(id).name);
   for (const std::string& id : order_)

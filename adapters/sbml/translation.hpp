@@ -29,6 +29,7 @@ struct Quantity {
   std::string name;  ///< in the text
   const SBase* element;
   const ASTNode *assigned = nullptr, *rated = nullptr, *initial = nullptr;
+  bool is_reset = false;  ///< by an event
 };
 
 /// The sections of a text that says what a model says.
@@ -48,6 +49,7 @@ class Translation {
   void collect();
   void add(Kind kind, const std::string& id, const SBase& element);
   void collect_rules();
+  void collect_events();
 
   const Quantity& quantity(const std::string& id) const;
   /// The volume of a species' compartment changes.
@@ -59,7 +61,7 @@ class Translation {
 
   /// Expressions, as they run and of the start. `in`: its local parameters count.
   std::string expression(const ASTNode& node, const SBase& of, bool at_start,
-                         const Reaction* in = nullptr);
+                         const Reaction* in = nullptr, bool as_condition = false);
   std::string value(const std::string& id, bool at_start, const Reaction* in);
   std::string start_of(const std::string& id);
   std::string start_without_rules(const Quantity& q, const std::string& id);
@@ -76,6 +78,10 @@ class Translation {
   void write_measures(const std::string& id, const Quantity& q);
   void write_other(const std::string& id, const Quantity& q);
   void write_locals(const Reaction& reaction);
+  /// Events: events.cpp.
+  void write_event(const Event& event, int place);
+  /// The state that an assignment to a quantity sets, and its value.
+  std::pair<std::string, std::string> reset(const Event& event, const EventAssignment& assignment);
   void add_state(const std::string& name, const std::string& start, const std::string& equation);
 
   const Model& model_;
@@ -84,7 +90,8 @@ class Translation {
   std::vector<std::string> order_;                                    ///< of ids
   std::map<std::string, std::map<std::string, std::string>> locals_;  ///< by reaction: names by id
   std::map<std::string, std::string> starts_, rates_;  ///< rates_: names of their definitions
-  std::set<std::string> in_start_;                     ///< that are being found
+  std::map<std::string, std::string> amounts_;  ///< by species: the state that has its amount
+  std::set<std::string> in_start_;              ///< that are being found
 };
 
 }  // namespace odeum::adapters::sbml

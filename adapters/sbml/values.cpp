@@ -8,7 +8,7 @@
 namespace odeum::adapters::sbml {
 
 std::string Translation::expression(const ASTNode& node, const SBase& of, bool at_start,
-                                    const Reaction* in) {
+                                    const Reaction* in, bool as_condition) {
   Meaning meaning;
   meaning.value = [&](const std::string& id) { return value(id, at_start, in); };
   meaning.rate = [&](const std::string& id) {
@@ -18,7 +18,8 @@ std::string Translation::expression(const ASTNode& node, const SBase& of, bool a
   };
   if (at_start) meaning.time = "0";
   try {
-    return MathText(model_, meaning).number(node);
+    MathText text(model_, meaning);
+    return as_condition ? text.condition(node) : text.number(node);
   } catch (const Unsupported& error) {
     const std::string& id = of.getId();
     throw ElementError(of,
@@ -50,7 +51,7 @@ std::string Translation::start_of(const std::string& id) {
     start = start_without_rules(q, id);
   in_start_.erase(id);
   // What stays as it is has a name, which --set gives another value.
-  const bool is_parameter = q.kind == Kind::parameter && !q.rated && !q.assigned;
+  const bool is_parameter = q.kind == Kind::parameter && !q.rated && !q.assigned && !q.is_reset;
   return starts_[id] = is_parameter ? q.name : "(" + start + ")";
 }
 
@@ -115,7 +116,7 @@ std::string Translation::stoichiometry(const SpeciesReference& reference, bool a
   const std::string& id = reference.getId();
   if (!id.empty() && quantities_.contains(id)) {
     const Quantity& q = quantity(id);
-    if (q.assigned || q.rated || q.initial) return value(id, at_start, nullptr);
+    if (q.assigned || q.rated || q.initial || q.is_reset) return value(id, at_start, nullptr);
   }
   return own_stoichiometry(reference, at_start);
 }

@@ -147,16 +147,39 @@ definitionURL="http://www.sbml.org/sbml/symbols/delay">delay</csymbol><ci>k</ci>
                "a cycle of rules");
   expect_fault(ruled(R"(<rateRule variable="k">)" + math("<ci>q</ci>") + "</rateRule>"),
                "the name q, which the model does not declare");
-  expect_fault(
-      model(k + R"(<listOfEvents><event useValuesFromTriggerTime="true">
-<trigger initialValue="true" persistent="true">)" +
-            math("<apply><gt/><ci>k</ci><cn>2</cn></apply>") + "</trigger></event></listOfEvents>"),
-      "not supported: events");
   expect_fault(model(R"(<listOfParameters><parameter id="k" constant="true"/></listOfParameters>)"),
                "a quantity without a value (k)");
   expect_fault(model(k, R"( xmlns:comp="http://www.sbml.org/sbml/level3/version1/comp/version1"
  comp:required="true")"),
                "the package comp of SBML is not supported");
+}
+
+TEST(Sbml, AnEventBecomesOneOfTheText) {
+  const formula::Problem p = problem(model(
+      R"(<listOfCompartments><compartment id="cell" size="2" constant="false"/></listOfCompartments>)" +
+      species + reaction + R"(<listOfEvents>
+<event id="nothing" useValuesFromTriggerTime="true"><trigger initialValue="true" persistent="true">)" +
+      math("<apply><gt/><ci>A</ci><cn>2</cn></apply>") + R"(</trigger></event>
+<event id="grow" useValuesFromTriggerTime="false"><trigger initialValue="false" persistent="false">)" +
+      math("<apply><lt/><ci>A</ci><cn>2</cn></apply>") + "</trigger><priority>" +
+      math("<ci>t</ci>") + "</priority><delay>" + math("<cn>0.5</cn>") + R"(</delay>
+<listOfEventAssignments><eventAssignment variable="cell">)" +
+      math("<cn>4</cn>") + R"(</eventAssignment><eventAssignment variable="A">)" +
+      math("<apply><plus/><ci>A</ci><cn>1</cn></apply>") +
+      "</eventAssignment></listOfEventAssignments></event></listOfEvents>"));
+  ASSERT_EQ(p.events.size(), 1U);  // the other sets nothing
+  const formula::Event& event = p.events[0];
+  EXPECT_EQ(event.name, "grow");
+  EXPECT_FALSE(event.initially || event.persistent || event.early);
+  EXPECT_TRUE(event.priority != formula::no_node && event.delay != formula::no_node);
+  // The amount of A is its concentration after the event times the volume after it.
+  std::vector<double> y(p.y0.begin(), p.y0.end());
+  for (const auto& [state, id] : event.set) {
+    double value = 0;
+    formula::Evaluator<double>(p.graph, {id})(0, y.data(), &value);
+    EXPECT_EQ(value, p.states[state] == "cell" ? 4 : (3 + 1) * 4) << p.states[state];
+  }
+  EXPECT_EQ(event.set.size(), 2U);
 }
 
 }  // namespace

@@ -4,39 +4,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <utility>
 
 #include "odeum/cases/text_switches.hpp"
+#include "odeum/formula/event_course.hpp"
 
 namespace odeum::cases {
+
+namespace {
+
+class TextCourse final : public EventCourse {
+ public:
+  TextCourse(std::shared_ptr<const formula::EventRules<double>> rules, bool resumed)
+      : course_(std::move(rules), resumed) {}
+
+  std::string happen(double t, const std::vector<Crossing>& crossings, std::vector<double>& y,
+                     const Ahead& ahead) override {
+    std::vector<formula::EventCourse<double>::Crossing> crossed;
+    for (const auto& [function, side] : crossings) crossed.push_back({function, side});
+    std::string fault = course_.happen(t, crossed, y, ahead);
+    done_.clear();
+    for (const auto& [event, before, after] : course_.done())
+      done_.push_back({event, before, after});
+    return fault;
+  }
+  const std::vector<Done>& done() const override { return done_; }
+  bool has_stopped() const override { return course_.has_stopped(); }
+  double next() const override { return course_.next(); }
+  int side(std::size_t function) const override { return course_.side(function); }
+
+ private:
+  formula::EventCourse<double> course_;
+  std::vector<Done> done_;
+};
+
+}  // namespace
 
 std::shared_ptr<const Events> events_of(const formula::Problem& problem) {
   if (problem.events.empty()) return nullptr;
   auto all = std::make_shared<Events>();
-  std::vector<std::pair<double, std::size_t>> at;
-  for (std::size_t k = 0; k < problem.events.size(); ++k) {
-    const formula::Event& event = problem.events[k];
+  for (const formula::Event& event : problem.events) {
     all->names.push_back(event.name);
     all->stops.push_back(event.stop);
-    for (const long double t : event.times) at.emplace_back(static_cast<double>(t), k);
-    if (event.when != formula::no_node) all->crossed.push_back({k, event.sense});
+    all->remembers = all->remembers || event.delay != formula::no_node;
   }
-  std::ranges::sort(at);
-  for (const auto& [t, event] : at) {
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::abs(t);
-    if (all->timed.empty() || t > all->timed.back().t + rounding) all->timed.push_back({t, {}});
-    all->timed.back().events.push_back(event);
+  for (const formula::Watched& watched : problem.watched) {
+    all->senses.push_back(watched.sense);
+    all->of_events += watched.event != formula::no_event ? 1 : 0;
   }
+  all->known_until = static_cast<double>(problem.events_until);
   const auto rules = std::make_shared<const formula::EventRules<double>>(problem);
   all->functions = [rules](double t, const double* y, double* values) {
     rules->functions(t, y, values);
   };
-  all->apply = [rules](double t, const std::vector<std::size_t>& events, double* y) {
-    return rules->apply(t, events, y);
-  };
+  all->course = [rules](bool resumed) { return std::make_unique<TextCourse>(rules, resumed); };
   return all;
 }
 

@@ -16,7 +16,8 @@ class Parser : Cursor {
   Parser(std::string_view text, const Scope& scope, Graph& graph)
       : Cursor(text), scope_(scope), graph_(graph) {}
 
-  Id whole();
+  /// A number; with `is_condition` perhaps a condition, which that tells.
+  Id whole(bool* is_condition = nullptr);
 
  private:
   /// Sets a flag while it exists.

@@ -127,7 +127,7 @@ Mode mode_of(const Problem& problem, const Signs& signs,
   p.stops = problem.stops;
   Selection selection(problem.graph, signs, constant);
   std::vector<Id> roots = problem.equations;
-  for (const std::size_t k : crossed_events(problem)) roots.push_back(problem.events[k].when);
+  for (const Watched& watched : problem.watched) roots.push_back(watched.function);
   p.equations = selection.select(p.graph, roots);
   const auto first = p.equations.begin() + static_cast<std::ptrdiff_t>(problem.equations.size());
   mode.events.assign(first, p.equations.end());

@@ -21,7 +21,7 @@ struct Mode {
   std::vector<Id> ids;       ///< these nodes, in the order of `switches`
   std::vector<Id> switches;  ///< what they depend on, in the graph of `problem`
   std::vector<bool> floors;  ///< whether node number k is one of floor
-  std::vector<Id> events;    ///< the expressions of events that have one, in that graph
+  std::vector<Id> events;    ///< the functions that are watched for events, in that graph
 
   /// The entry of Signs of node number k where what it depends on has this value.
   int sign(std::size_t k, long double value) const;

@@ -11,11 +11,13 @@
 
 namespace odeum::formula {
 
-Id Parser::whole() {
+Id Parser::whole(bool* is_condition) {
   if (text_.size() > longest_expression)
     fail(0, "too long; got {} bytes, expected at most {}: split it by definitions", text_.size(),
          longest_expression);
-  const Id value = sum();
+  const Within within(in_condition_, is_condition != nullptr);
+  const Id value = is_condition ? either() : sum();
+  if (is_condition) *is_condition = is_condition_;
   if (const char c = peek(); c != '\0') unexpected(c);
   return value;
 }
@@ -204,6 +206,10 @@ Id Parser::element(std::size_t where, std::string_view name) {
 
 Id parse_expression(std::string_view text, const Scope& scope, Graph& graph) {
   return Parser(text, scope, graph).whole();
+}
+
+Id parse_expression(std::string_view text, const Scope& scope, Graph& graph, bool& is_condition) {
+  return Parser(text, scope, graph).whole(&is_condition);
 }
 
 std::int64_t parse_index(std::string_view text, const Scope& scope, Graph& graph) {

@@ -60,6 +60,9 @@ inline constexpr std::size_t most_terms = 10'000'000;  ///< of sums, in some sec
 /// above.
 Id parse_expression(std::string_view text, const Scope& scope, Graph& graph);
 
+/// The same where a condition may stand too: 0 or 1.
+Id parse_expression(std::string_view text, const Scope& scope, Graph& graph, bool& is_condition);
+
 /// A whole number: an index. Throws as parse_expression, and where it is not a whole number.
 std::int64_t parse_index(std::string_view text, const Scope& scope, Graph& graph);
 

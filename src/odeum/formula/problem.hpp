@@ -54,7 +54,13 @@ struct Problem {
   Id kinetic_energy = no_node;  ///< v M v / 2 where the file has a mass matrix M
   std::string mass_text;        ///< M, for people
   std::vector<Event> events;
-  std::string events_text;  ///< all that they depend on, as text
+  std::string events_text;       ///< all that they depend on, as text
+  long double events_until = 0;  ///< how far the times of events are known, beyond the end
+  /// Functions that decide what happens and have to be watched along the solution, those of events
+  /// first; and those whose zeros are known.
+  std::vector<Watched> watched, clocked;
+  /// Of conditions: the numbers of their functions, those of `clocked` after those of `watched`.
+  std::map<Id, std::size_t> comparisons;
   /// R(t, y, y') = 0 where not all rates could be solved for, one for each state, constraints among
   /// them, with the rates as the states from first_rate on (formula/reduction.hpp); empty: none.
   std::vector<Id> residuals;

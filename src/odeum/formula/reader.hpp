@@ -97,7 +97,9 @@ class Reader : Source {
 
  private:
   /// The scalar of an item as an expression; a constant one as a number, a whole number.
-  Id expression(const Item& item, const std::string& in, const Scope& scope);
+  /// With `is_condition` it may be a condition, which that tells.
+  Id expression(const Item& item, const std::string& in, const Scope& scope,
+                bool* is_condition = nullptr);
   Id constant(const YamlNode& value, const std::string& key);
   long double number(const YamlNode& value, const std::string& key) {
     return problem_.graph[constant(value, key)].value;
@@ -160,7 +162,13 @@ class Reader : Source {
   /// What happens at times, or where expressions cross zero: reader_events.cpp.
   void read_events(const Scope& scope);
   Event read_event(const YamlNode& node, std::size_t place, const Scope& scope);
+  void read_when(const std::vector<Item>& all, const std::string& path, const Scope& scope,
+                 Event& event);
   void read_times(const std::vector<Item>& all, const std::string& path, Event& event);
+  void read_way(const std::vector<Item>& all, const std::string& path, const Scope& scope,
+                Event& event);
+  bool is_true(const std::vector<Item>& all, const std::string& path, std::string_view key,
+               bool usual) const;
   void read_resets(const Item& set, const std::string& path, const Scope& scope, Event& event);
   void require_order() const;
   void read_exact();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "odeum/formula/evaluator.hpp"
@@ -12,8 +13,9 @@
 namespace odeum::formula::reading {
 namespace {
 
-constexpr std::string_view keys[] = {"name",  "when",  "rising", "falling", "at",
-                                     "every", "until", "set",    "stop",    "order"};
+constexpr std::string_view keys[] = {"name",  "when",     "rising", "falling",    "at",
+                                     "every", "until",    "set",    "stop",       "order",
+                                     "delay", "priority", "early",  "persistent", "initially"};
 constexpr std::size_t most_times = 100'000;
 
 bool both_ways(const Event& a, const Event& b) {
@@ -22,6 +24,8 @@ bool both_ways(const Event& a, const Event& b) {
 
 /// Whether two events happen at once wherever one of them does, or at one time at least.
 bool meet(const Event& a, const Event& b) {
+  // What conditions and delays have in common shows when they run.
+  if (a.condition != no_node || b.condition != no_node || a.delay != b.delay) return false;
   if (a.when != no_node || b.when != no_node) return a.when == b.when && both_ways(a, b);
   for (const long double t : a.times) {
     const long double rounding = 4 * std::numeric_limits<double>::epsilon() * std::abs(t);
@@ -54,73 +58,125 @@ void Reader::read_events(const Scope& scope) {
            "{}: got this beside events, across which it does not hold, expected "
            "one of the two",
            key);
+  // A run may be asked to go beyond the end.
+  problem_.events_until = problem_.t0 + 16 * (problem_.stops.back() - problem_.t0);
   for (const auto& item : list->value->items)
     problem_.events.push_back(read_event(*item, problem_.events.size() + 1, scope));
   require_order();
+  watch_events(problem_);
+  for (const std::vector<Watched>* const all : {&problem_.watched, &problem_.clocked})
+    for (const Watched& watched : *all)
+      if (!is_finite_at_start(problem_, watched.function))
+        fail(list->value->place,
+             "events: a comparison of {} is not finite at the start, expected numbers",
+             watched.event == no_event ? "a condition" : problem_.events[watched.event].name);
   for (const Item& item : items("definitions"))
     problem_.events_text += fmt::format("{} = {}\n", item.key, scalar(*item.value, item.key));
   for (const auto& [name, value] : problem_.parameters)
     problem_.events_text += fmt::format("{} {:.21Lg}\n", name, value);
 }
 
+bool Reader::is_true(const std::vector<Item>& all, const std::string& path, std::string_view key,
+                     bool usual) const {
+  const Item* const item = input::entry_of(all, key);
+  if (!item) return usual;
+  const std::string text = scalar(*item->value, path + ": " + item->key);
+  if (text != "true" && text != "false")
+    fail(item->value->place, "{}: {}: got {}, expected true or false", path, key, shown(text));
+  return text == "true";
+}
+
 Event Reader::read_event(const YamlNode& node, std::size_t place, const Scope& scope) {
   const std::string path = fmt::format("events[{}]", place);
   const std::vector<Item> all = items(node, path, keys);
   const auto find = [&](std::string_view key) { return input::entry_of(all, key); };
-  const auto is_true = [&](std::string_view key) {
-    const Item* const item = find(key);
-    if (!item) return false;
-    const std::string text = scalar(*item->value, path + ": " + item->key);
-    if (text != "true" && text != "false")
-      fail(item->value->place, "{}: {}: got {}, expected true or false", path, key, shown(text));
-    return text == "true";
-  };
   Event event;
   event.place = node.place;
   const Item *const when = find("when"), *const at = find("at");
   if (!when == !at)
     fail(node.place, "{}: got {}, expected `when: expression` or `at: time`", path,
          when ? "both when and at" : "neither when nor at");
-  const bool rising = is_true("rising"), falling = is_true("falling");
+  const auto refuse = [&](std::initializer_list<const char*> names, const char* beside) {
+    for (const char* key : names)
+      if (const Item* const extra = find(key))
+        fail(extra->key_place, "{}: {}: got one beside `{}`, expected it beside {}", path, key,
+             when ? "when" : "at", beside);
+  };
   if (when) {
-    for (const char* key : {"every", "until"})
-      if (const Item* const extra = find(key))
-        fail(extra->key_place, "{}: {}: got one beside `when`, expected it beside `at`", path, key);
-    event.when = expression(*when, path, scope);
-    if (problem_.graph.is_constant(event.when))
-      fail(when->value->place, "{}: when: got a constant, expected an expression of states or t",
-           path);
-    if (!is_finite_at_start(problem_, event.when))
-      fail(when->value->place, "{}: when: not finite at the start, expected a number", path);
-    event.sense = static_cast<int>(rising) - static_cast<int>(falling);
-    event.name = scalar(*when->value, path) + (event.sense > 0   ? " rising"
-                                               : event.sense < 0 ? " falling"
-                                                                 : "");
+    refuse({"every", "until"}, "`at`");
+    read_when(all, path, scope, event);
   } else {
-    for (const char* key : {"rising", "falling"})
-      if (const Item* const extra = find(key))
-        fail(extra->key_place, "{}: {}: got one beside `at`, expected it beside `when`", path, key);
+    refuse({"rising", "falling"}, "`when`");
     read_times(all, path, event);
   }
+  if (event.condition == no_node) refuse({"initially", "persistent"}, "a condition");
   if (const Item* const name = find("name")) event.name = scalar(*name->value, path + ": name");
-  if (const Item* const order = find("order")) {
-    const long double value = number(*order->value, path + ": order");
-    if (value != std::round(value) || std::abs(value) > 1000)
-      fail(order->value->place, "{}: order: got {}, expected a whole number", path,
-           static_cast<double>(value));
-    event.order = static_cast<int>(value);
-  }
-  event.stop = is_true("stop");
+  read_way(all, path, scope, event);
+  event.stop = is_true(all, path, "stop", false);
   if (const Item* const set = find("set")) read_resets(*set, path, scope, event);
   if (event.set.empty() && !event.stop)
     fail(node.place,
          "{}: got one that sets nothing and does not stop, expected `set: {{x: ...}}` "
          "or `stop: true`",
          path);
-  problem_.events_text += fmt::format("{} {} {} {}\n", when ? scalar(*when->value, path) : "at",
-                                      event.sense, event.stop, event.order);
+  for (const Item& item : all)
+    if (item.key != "set" && item.key != "name")
+      problem_.events_text += fmt::format("{}: {}\n", item.key, scalar(*item.value, path));
   for (const long double t : event.times) problem_.events_text += fmt::format("{:.21Lg} ", t);
   return event;
+}
+
+void Reader::read_when(const std::vector<Item>& all, const std::string& path, const Scope& scope,
+                       Event& event) {
+  const Item& when = *input::entry_of(all, "when");
+  bool is_condition = false;
+  const Id value = expression(when, path, scope, &is_condition);
+  const bool rising = is_true(all, path, "rising", false),
+             falling = is_true(all, path, "falling", false);
+  event.initially = is_true(all, path, "initially", true);
+  event.persistent = is_true(all, path, "persistent", true);
+  event.name = scalar(*when.value, path);
+  if (is_condition)
+    for (const char* key : {"rising", "falling"})
+      if (const Item* const extra = input::entry_of(all, key))
+        fail(extra->key_place,
+             "{}: {}: got one beside a condition, which an event happens at where it becomes true, "
+             "expected `when: x - 1` in place of `when: x > 1`",
+             path, key);
+  if (problem_.graph.is_constant(value) && !input::entry_of(all, "initially"))
+    fail(when.value->place, "{}: when: got a constant, expected an expression of states or t",
+         path);
+  if (is_condition) {
+    event.condition = value;
+    return;
+  }
+  if (!is_finite_at_start(problem_, value))
+    fail(when.value->place, "{}: when: not finite at the start, expected a number", path);
+  event.when = value;
+  event.sense = static_cast<int>(rising) - static_cast<int>(falling);
+  event.name += event.sense > 0 ? " rising" : event.sense < 0 ? " falling" : "";
+}
+
+/// How it is carried out: order, priority, delay.
+void Reader::read_way(const std::vector<Item>& all, const std::string& path, const Scope& scope,
+                      Event& event) {
+  if (const Item* const order = input::entry_of(all, "order")) {
+    const long double value = number(*order->value, path + ": order");
+    if (value != std::round(value) || std::abs(value) > 1e9L)
+      fail(order->value->place, "{}: order: got {}, expected a whole number", path,
+           static_cast<double>(value));
+    event.order = static_cast<int>(value);
+  }
+  if (const Item* const priority = input::entry_of(all, "priority"))
+    event.priority = expression(*priority, path, scope);
+  if (const Item* const delay = input::entry_of(all, "delay")) {
+    event.delay = expression(*delay, path, scope);
+    if (const Node& node = problem_.graph[event.delay];
+        problem_.graph.is_constant(event.delay) && !(node.value >= 0))
+      fail(delay->value->place, "{}: delay: got {}, expected a time from 0 on", path,
+           static_cast<double>(node.value));
+  }
+  event.early = is_true(all, path, "early", false);
 }
 
 void Reader::read_times(const std::vector<Item>& all, const std::string& path, Event& event) {
@@ -148,7 +204,12 @@ void Reader::read_times(const std::vector<Item>& all, const std::string& path, E
          path, until ? "until" : "at: after the end", static_cast<double>(last),
          static_cast<double>(first));
   const long double rounding = 8 * std::numeric_limits<double>::epsilon();
-  const long double count = std::floor((last - first) / apart * (1 + rounding) + rounding);
+  const auto times_to = [&](long double t) {
+    return std::floor((t - first) / apart * (1 + rounding) + rounding);
+  };
+  const long double farther = times_to(until ? last : problem_.events_until),
+                    count = farther < most_times ? farther : times_to(last);
+  if (farther >= most_times && !until) problem_.events_until = problem_.stops.back();
   if (count >= most_times)
     fail(every->value->place, "{}: every: got {} times, expected at most {}", path,
          static_cast<double>(count), most_times);
@@ -173,7 +234,9 @@ void Reader::require_order() const {
   const std::vector<Event>& all = problem_.events;
   for (std::size_t b = 0; b < all.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) {
-      if (all[a].order != all[b].order || !meet(all[a], all[b])) continue;
+      if (all[a].order != all[b].order || all[a].priority != all[b].priority ||
+          !meet(all[a], all[b]))
+        continue;
       for (const auto& [state, value] : all[b].set)
         if (std::ranges::find(all[a].set, state, &std::pair<std::size_t, Id>::first) !=
             all[a].set.end())

@@ -54,11 +54,13 @@ Place Source::place_in(const YamlNode& value, const std::string& text, std::size
   return place;
 }
 
-Id Reader::expression(const Item& item, const std::string& in, const Scope& scope) {
+Id Reader::expression(const Item& item, const std::string& in, const Scope& scope,
+                      bool* is_condition) {
   const std::string key = in.empty() ? item.key : in + ": " + item.key;
   const std::string text = scalar(*item.value, key);
   try {
-    return parse_expression(text, scope, problem_.graph);
+    return is_condition ? parse_expression(text, scope, problem_.graph, *is_condition)
+                        : parse_expression(text, scope, problem_.graph);
   } catch (const ExpressionError& error) {
     fail(place_in(*item.value, text, error.at()), "{}: {}", shown(key), error.what());
   }

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "odeum/formula/names.hpp"
 
@@ -90,6 +91,16 @@ std::string StatementText::text(double end) const {
   section("states", joined(states_));
   section("equations", joined(equations_));
   section("reactions", joined(reactions_, "  -"));
+  std::string events;
+  for (const auto& [keys, set] : events_) {
+    const char* before = "  - ";
+    for (const auto& [key, value] : keys)
+      events +=
+          fmt::format("{}{}: {}\n", std::exchange(before, "    "), quoted(key), quoted(value));
+    events += "    \"set\":\n";
+    for (const auto& [name, value] : set) events += "    " + entry(name, value);
+  }
+  section("events", events);
   std::set<std::string> columns;
   for (const auto& [name, start] : states_) columns.insert(name);
   Entries outputs;

@@ -36,6 +36,11 @@ class StatementText {
   void output(const std::string& column, const std::string& value) {
     outputs_.emplace_back(column, value);
   }
+  /// Keys and values of an event, and the states that it sets.
+  void event(const std::vector<std::pair<std::string, std::string>>& keys,
+             const std::vector<std::pair<std::string, std::string>>& set) {
+    events_.emplace_back(keys, set);
+  }
   bool has_states() const { return !states_.empty(); }
 
   /// What refers to others of its section stands behind them. Throws std::invalid_argument where
@@ -48,6 +53,7 @@ class StatementText {
 
   std::string title_;
   std::set<std::string> names_;
+  std::vector<std::pair<Entries, Entries>> events_;
   Entries parameters_, definitions_, states_, equations_, reactions_, outputs_;
 };
 

@@ -149,6 +149,15 @@ Id zero_at_switch(Graph& graph, Node node) {
   return graph.make(Op::subtract, node.of[1], node.of[0]);
 }
 
+std::optional<std::vector<Real>> zeros_in_time(Graph& graph, Id value, Real from, Real to) {
+  std::vector<Real> zeros;
+  const std::vector<Real> none;
+  if (!Zeros(graph, value, none).find(from, to, zeros)) return std::nullopt;
+  std::ranges::sort(zeros);
+  zeros.erase(std::unique(zeros.begin(), zeros.end()), zeros.end());
+  return zeros;
+}
+
 bool has_timed_switches(const Problem& problem) { return !timed_switches(problem).empty(); }
 
 SwitchTimes switch_times(const Problem& problem, long double end) {

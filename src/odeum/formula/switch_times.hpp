@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -30,5 +31,10 @@ bool has_timed_switches(const Problem& problem);
 /// For the values that the problem's parameters have. A condition with more switches than can be
 /// separated, as one with infinitely many, is left out. `end`: after t0.
 SwitchTimes switch_times(const Problem& problem, long double end);
+
+/// The zeros of an expression of the time alone from one time to another, ascending; nothing where
+/// they are too many, or too close to each other, to be separated.
+std::optional<std::vector<long double>> zeros_in_time(Graph& graph, Id value, long double from,
+                                                      long double to);
 
 }  // namespace odeum::formula

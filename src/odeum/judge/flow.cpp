@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "odeum/core/guarded.hpp"
+#include "odeum/problem/events.hpp"
 #include "odeum/solvers/own_methods.hpp"
 #include "odeum/solvers/pieces.hpp"
 
@@ -46,6 +47,13 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
   for (const double stop : stops) request.stops.push_back(stop - shift);
   request.budget.evaluations = budget;
   ErasedContest contest = c.problem;
+  if (contest.events && start > c.t0) {
+    if (contest.events->remembers)
+      return refused("delays of events, which are not in its state, make a run one whole");
+    auto resumed = std::make_shared<Events>(*contest.events);
+    resumed->resumed = true;
+    contest.events = std::move(resumed);
+  }
   contest.t0 = start - shift;
   contest.y0 = std::make_shared<const std::vector<double>>(y);
   const SharedOde problem(c.problem.view, nullptr);

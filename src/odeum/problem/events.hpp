@@ -2,34 +2,61 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace odeum {
 
-/// What happens to a solution at times, and where functions of the time and of it cross zero.
-/// Times and states are in the problem's units; y has the problem's size. Several threads may call
-/// the functions at once.
-struct Events {
-  /// Events at times, ascending.
-  struct Timed {
-    double t;
-    std::vector<std::size_t> events;
+/// What the events of a problem have done in one run, and what they are about to do.
+class EventCourse {
+ public:
+  /// A function that crosses zero, and its sign from then on; 0: it touches zero.
+  struct Crossing {
+    std::size_t function;
+    int side;
   };
-  /// One that happens where a function crosses zero: rising (1), falling (-1), or either (0).
-  struct Crossed {
+  /// An event, and the states before and after what happened with it at once.
+  struct Done {
     std::size_t event;
-    int sense;
+    std::vector<double> before, after;
   };
+  /// The signs of all functions a little later.
+  using Ahead = std::function<std::vector<int>(double t, const std::vector<double>& y)>;
+
+  virtual ~EventCourse() = default;
+  /// Lets happen what happens at t; the first call is that at the start. Gives y the values after
+  /// it; a sentence where that cannot be, else empty.
+  virtual std::string happen(double t, const std::vector<Crossing>& crossings,
+                             std::vector<double>& y, const Ahead& ahead) = 0;
+  virtual const std::vector<Done>& done() const = 0;  ///< by the last call
+  /// The solution stays as it is from now on.
+  virtual bool has_stopped() const = 0;
+  /// The next time at which something happens by the clock; infinite: never.
+  virtual double next() const = 0;
+  /// The sign that a function has had since the last call; 0: it stays zero.
+  virtual int side(std::size_t function) const = 0;
+};
+
+/// What happens to a solution at times, where functions of the time and of it cross zero, and where
+/// conditions on their signs become true. Times and states are in the problem's units; y has the
+/// problem's size. Several threads may call the functions at once.
+struct Events {
   std::vector<std::string> names;  ///< of all events, for people
-  std::vector<bool> stops;         ///< by event: the solution stays as it is from then on
-  std::vector<Timed> timed;
-  std::vector<Crossed> crossed;
-  /// Fills values with the function of each of `crossed`.
+  std::vector<bool> stops;         ///< by event: it ends the solution
+  /// By function: an event happens where it rises (1), falls (-1), or both (0).
+  std::vector<int> senses;
+  /// So many functions are those of events; the signs of the others decide conditions.
+  std::size_t of_events = 0;
+  /// Fills values with the functions.
   std::function<void(double t, const double* y, double* values)> functions;
-  /// Gives y the values after events that happen at once at t; a sentence where they contradict
-  /// each other or a value is not finite, else empty.
-  std::function<std::string(double t, const std::vector<std::size_t>& events, double* y)> apply;
+  /// For one run; `resumed`: what happens at its start has happened.
+  std::function<std::unique_ptr<EventCourse>(bool resumed)> course;
+  bool resumed = false;
+  /// A run cannot be resumed at any time: there are delays, which its state does not tell.
+  bool remembers = false;
+  double known_until = std::numeric_limits<double>::infinity();  ///< by the clock
 };
 
 }  // namespace odeum

@@ -19,12 +19,16 @@ bool happens_with(double a, double b) {
 EventFinder::EventFinder(const Events& events, std::size_t states)
     : events_(events),
       y_(states),
-      values_(events.crossed.size()),
-      searches_(events.crossed.size()),
-      senses_(events.crossed.size(), 0) {}
+      values_(events.senses.size()),
+      searches_(events.senses.size()),
+      senses_(events.senses.size(), 0) {}
 
-void EventFinder::begin(const Found& happened) {
-  for (std::size_t k = 0; k < searches_.size(); ++k) {
+void EventFinder::begin(const Found& happened, const EventCourse& course) {
+  for (std::size_t k = events_.of_events; k < searches_.size(); ++k) {
+    const int side = course.side(k);
+    side == 0 ? searches_[k].begin(true) : searches_[k].begin_beside(side);
+  }
+  for (std::size_t k = 0; k < events_.of_events; ++k) {
     const auto fired = [k](const Found& found) {
       return std::ranges::find(found.functions, k) != found.functions.end();
     };
@@ -39,6 +43,12 @@ void EventFinder::begin(const Found& happened) {
     }
   }
   before_ = happened;
+}
+
+std::vector<EventCourse::Crossing> EventFinder::crossings(const Found& found) const {
+  std::vector<EventCourse::Crossing> all;
+  for (const std::size_t k : found.functions) all.push_back({k, senses_[k]});
+  return all;
 }
 
 double EventFinder::value(std::size_t function, double t, const StateAt& state) {
@@ -63,7 +73,7 @@ EventFinder::Found EventFinder::look(double a, double b, const StateAt& state) {
   for (std::size_t k = 0; k < searches_.size(); ++k) {
     const auto g = [&](double t) { return value(k, t, state); };
     searches_[k](g, a, g(a), b, g(b), [&](const Zero& zero) {
-      const int wanted = events_.crossed[k].sense;
+      const int wanted = events_.senses[k];
       all.push_back({zero.t, k, zero.sense});
       if (wanted != 0 && zero.sense != wanted) return zero.t > first.t + at_once;
       first.t = std::min(first.t, zero.t);
@@ -74,7 +84,7 @@ EventFinder::Found EventFinder::look(double a, double b, const StateAt& state) {
   if (!happens_with(first.t, before_.t)) std::ranges::fill(senses_, 0);
   for (const Crossing& one : all) {
     if (std::abs(one.t - first.t) > at_once) continue;
-    const int wanted = events_.crossed[one.function].sense;
+    const int wanted = events_.senses[one.function];
     senses_[one.function] = one.sense;
     if (wanted == 0 || one.sense == wanted) first.functions.push_back(one.function);
   }

@@ -23,8 +23,10 @@ class EventFinder {
   /// `events` has to outlive this.
   EventFinder(const Events& events, std::size_t states);
 
-  /// After events at a time, or at a start (none of them).
-  void begin(const Found& happened);
+  /// After events at a time, or at a start (none of them); with the signs that the run has.
+  void begin(const Found& happened, const EventCourse& course);
+  /// What crossed zero at the time found last.
+  std::vector<EventCourse::Crossing> crossings(const Found& found) const;
   /// Looks at a step whose states are given: the first events in it.
   Found look(double a, double b, const StateAt& state);
   /// What it has learnt of the steps up to now, to come back to.

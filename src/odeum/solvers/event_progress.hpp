@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +36,8 @@ class EventProgress {
         begin_(std::chrono::steady_clock::now()),
         end_(request.stops.back()),
         t_(contest.t0),
-        y_(*contest.y0) {
+        y_(*contest.y0),
+        course_(events_.course(events_.resumed)) {
     all_.t = t_;
   }
 
@@ -71,34 +73,46 @@ class EventProgress {
     if (go_on_) t_ = end;
   }
 
-  /// Events at t_. Their times are told from those before by what state events there were.
-  void happen(const std::vector<std::size_t>& events) {
-    const std::vector<double> before = y_;
-    const std::string fault = events_.apply(t_, events, y_.data());
+  /// Lets happen what happens at t_.
+  void happen(const std::vector<EventCourse::Crossing>& crossings) {
+    const std::string fault = course_->happen(
+        t_, crossings, y_, [this](double t, const std::vector<double>& y) { return ahead(t, y); });
+    for (const EventCourse::Done& done : course_->done())
+      all_.events.push_back({t_, done.event, done.before, done.after});
     if (!fault.empty()) return fail(Status::refused, fault);
-    bool stops = false;
-    for (const std::size_t event : events) {
-      all_.events.push_back({t_, event, before, y_});
-      stops = stops || events_.stops[event];
-    }
     // A state at the time of an event is that after it.
     const std::size_t n = y_.size(), reached = all_.states.size() / n;
     if (reached > 0 && request_.stops[reached - 1] == t_)
       std::ranges::copy(y_, all_.states.end() - static_cast<std::ptrdiff_t>(n));
-    if (!stops) return;
+    if (!course_->has_stopped()) return;
     go_on_ = false;
     all_.detail = fmt::format("an event ({}) ends it at t = {:.9g}; later states are the one there",
-                              events_.names[events.back()], t_);
+                              events_.names[all_.events.back().event], t_);
     for (std::size_t k = reached; k < request_.stops.size(); ++k)
       all_.record(request_.stops[k], y_.data(), n);
   }
-  void happen_at(const EventFinder::Found& found) {
-    std::vector<std::size_t> events;
-    for (const std::size_t k : found.functions) events.push_back(events_.crossed[k].event);
+  void happen_at(const std::vector<EventCourse::Crossing>& crossings) {
     last_gap_ = crossings_.empty() ? 0 : t_ - crossings_.back();
     crossings_.push_back(t_);
-    happen(events);
+    happen(crossings);
     if (go_on_) require_way();
+  }
+  /// The signs of all functions a little after t, by a few steps of Euler's method.
+  std::vector<int> ahead(double t, std::vector<double> y) const {
+    constexpr int steps = 4;
+    const double h = std::max(1e-9 * (end_ - contest_.t0),
+                              64 * std::numeric_limits<double>::epsilon() * std::abs(t)) /
+                     steps;
+    std::vector<double> slope(y.size()), values(events_.senses.size());
+    for (int k = 0; k < steps; ++k) {
+      contest_.view.rhs(contest_.view.problem, t + k * h, y.data(), slope.data());
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * slope[i];
+    }
+    events_.functions(t + steps * h, y.data(), values.data());
+    std::vector<int> signs;
+    for (const double value : values)
+      signs.push_back(static_cast<int>(value > 0) - static_cast<int>(value < 0));
+    return signs;
   }
   /// Events without end in a finite time (Zeno), or one that calls the other (chattering).
   void require_way() {
@@ -126,6 +140,7 @@ class EventProgress {
   double end_, t_;
   std::vector<double> y_;
   Outcome all_;
+  std::unique_ptr<EventCourse> course_;
   bool go_on_ = true;
   std::uint64_t spent_ = 0;
   std::vector<double> crossings_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/solvers/event_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -24,29 +26,33 @@ class EventRun : EventProgress {
 
   Outcome operator()() {
     if (fixed_ && !grid_.fits()) return refused("a stop is not on the grid of steps");
-    finder_.begin({});
+    if (end_ > events_.known_until)
+      return refused(
+          fmt::format("what happens by the clock is known up to t = {:.9g}; a run to {} "
+                      "needs a later `end` of the text",
+                      events_.known_until, end_));
+    happen({});
+    finder_.begin({}, *course_);
     std::vector<Switch> cuts;
     if (contest_.switches && !fixed_) cuts = contest_.switches(t_, end_);
     double first = -Piece::unbounded;
     auto cut = cuts.begin();
-    auto timed = events_.timed.begin();
-    while (timed != events_.timed.end() && timed->t < t_ && !same_time(timed->t, t_)) ++timed;
     while (go_on_) {
-      const double switched = cut == cuts.end() ? Piece::unbounded : cut->t;
-      const double given = timed == events_.timed.end() ? Piece::unbounded : timed->t;
-      const double next = std::min(switched, given);
+      const double switched = cut == cuts.end() ? Piece::unbounded : cut->t,
+                   by_clock = course_->next();
+      const double next = std::min(switched, by_clock), end = at_stop(std::min(next, end_));
       const PartRun run = [&, first, last = cut == cuts.end() ? Piece::unbounded : cut->before](
                               double t0, const std::vector<double>& y0, const Request& request) {
         return segment_(first, last, t0, y0, request);
       };
-      for (const double end = at_stop(std::min(next, end_)); go_on_ && t_ < end;)
-        fixed_ ? advance_fixed(run, end) : advance(run, end);
-      if (!go_on_ || (next > end_ && !same_time(next, end_))) break;
-      if (same_time(given, next)) {
-        happen(timed++->events);
-        finder_.begin({});
-      }
+      if (t_ < end) fixed_ ? advance_fixed(run, end) : advance(run, end);
+      if (!go_on_) break;
+      if (t_ < end) continue;  // for an event, after which another may come sooner
+      if (next > end_ && !same_time(next, end_)) break;
       if (same_time(switched, next)) first = cut++->after;
+      if (!same_time(by_clock, next)) continue;
+      happen({});
+      finder_.begin({}, *course_);
     }
     return std::move(all_);
   }
@@ -74,13 +80,13 @@ class EventRun : EventProgress {
   void arrive(const Found& found, Way&& way) {
     if (found.t > t_) way();
     if (!go_on_) return;
-    happen_at(found);
-    finder_.begin(found);
+    happen_at(finder_.crossings(found));
+    finder_.begin(found, *course_);
   }
 
   /// Looks into the steps of a run, whose states are asked of another one.
   Found look_between(const PartRun& run, double ahead, const Outcome& outcome) {
-    if (events_.crossed.empty()) return {};
+    if (events_.senses.empty()) return {};
     const std::vector<double> ends = ends_of(outcome, ahead);
     Request request = request_;
     request.record_steps = false;
@@ -181,7 +187,7 @@ class EventRun : EventProgress {
   /// one step to each time.
   Found look_in_step(const PartRun& run, double a, const std::vector<double>& before, double b,
                      const std::vector<double>& after) {
-    if (events_.crossed.empty()) return {};
+    if (events_.senses.empty()) return {};
     std::vector<double> f0(y_.size()), f1(f0), inner(f0);
     contest_.view.rhs(contest_.view.problem, a, before.data(), f0.data());
     contest_.view.rhs(contest_.view.problem, b, after.data(), f1.data());

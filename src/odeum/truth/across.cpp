@@ -80,9 +80,8 @@ System later(System s, Real origin) {
   for (Real& t : s.switches) t -= origin;
   if (s.events) {
     auto events = std::make_shared<Happenings>(*s.events);
-    for (Real& t : events->times) t -= origin;
+    events->origin += origin;
     move(events->values);
-    move(events->apply);
     s.events = std::move(events);
   }
   s.t0 -= origin;
@@ -148,7 +147,9 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
   for (int at_once = 0; !left.empty();) {
     const std::shared_ptr<System> mode = system.mode_at(t, y, span, moved);
     if (!has_mode(system, mode, at_once <= most_at_once, t, whole)) return whole;
-    if (!events.settles(*mode, t, y, whole)) return whole;
+    const EventsAlong::Next next = events.settles(*mode, t, y, whole);
+    if (next == EventsAlong::Next::end) return whole;
+    if (next == EventsAlong::Next::again) continue;
     if (before) {
       if (whole.unsure.empty()) whole.sure = whole.states.size();
       add_rounding(*before, *mode, t, y, whole.unsure);
@@ -157,15 +158,17 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
     mode->t0 = t;
     mode->y0 = y;
     mode->along = system.along;
-    const auto next = std::ranges::upper_bound(system.switches, t);
-    const bool to_switch = next != system.switches.end() && *next <= left.back();
-    const auto last = to_switch ? std::ranges::lower_bound(left, *next) : left.end();
+    const auto named = std::ranges::upper_bound(system.switches, t);
+    const Real by_clock = events.next();
+    const Real switched = named == system.switches.end() ? by_clock : std::min(*named, by_clock);
+    const bool to_switch = switched <= left.back();
+    const auto last = to_switch ? std::ranges::lower_bound(left, switched) : left.end();
     std::vector<Real> until(left.begin(), last);
-    if (to_switch) until.push_back(*next);
+    if (to_switch) until.push_back(switched);
     Run part = run_of_part(method, *mode, until, effort, span, whole);
     const bool arrived = part.states.size() == until.size();
     if (to_switch && arrived) {
-      t = *next;
+      t = switched;
       y = part.states.back();
       if (last == left.end() || *last > t) part.states.pop_back();
       before = mode;
@@ -174,7 +177,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
     std::move(part.states.begin(), part.states.end(), std::back_inserter(whole.states));
     if (before) {
       at_once = 0;
-      if (!events.at_time(*mode, t, y, whole)) return whole;
+      if (by_clock <= t && !events.at_time(*mode, t, y, whole)) return whole;
       continue;
     }
     if (!part.changed) {

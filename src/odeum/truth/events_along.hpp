@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "odeum/formula/event_course.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::truth {
@@ -16,9 +19,25 @@ namespace odeum::truth {
 class EventsAlong {
  public:
   EventsAlong(const System& system, const std::vector<Real>& times, bool moved)
-      : events_(system.events.get()), times_(times), moved_(moved), origin_(system.origin) {
-    if (events_) values_.resize(events_->senses.size());
-    span_ = times.back() - system.t0;
+      : events_(system.events.get()),
+        system_(system),
+        times_(times),
+        moved_(moved),
+        span_(times.back() - system.t0) {
+    if (!events_) return;
+    values_.resize(events_->senses.size());
+    course_ = events_->course(moved);
+  }
+
+  /// The next time at which something happens by the clock: that of a time asked for where it
+  /// differs by rounding alone.
+  Real next() const {
+    const Real t =
+        events_ ? course_->next() - events_->origin : std::numeric_limits<Real>::infinity();
+    if (!std::isfinite(t)) return t;
+    const Real rounding = 0x1p-50L * std::abs(events_->origin + t);
+    const auto near = std::ranges::lower_bound(times_, t - rounding);
+    return near != times_.end() && *near <= t + rounding ? *near : t;
   }
 
   /// After a change of a mode at t: lets those events happen whose functions have crossed zero.
@@ -26,67 +45,83 @@ class EventsAlong {
   bool cross(const System& mode, Real t, State& y, Run& whole) {
     if (!events_ || values_.empty()) return true;
     const State near = times_to_zero(mode, t, y);
-    std::vector<std::size_t> happened;
+    Crossings crossings;
+    bool happens = false;
     crossed_.assign(values_.size(), 0);
     for (std::size_t k = 0; k < values_.size(); ++k) {
       const int side = mode.sides[k];
-      if (side == 0 || !(values_[k] * static_cast<Real>(side) <= 0 || near[k] < at_once * span_)) {
-        if (side != 0 && near[k] < unclear * span_)
-          return end(whole, t, "two events are hardly apart");
+      if (side == 0) {
+        if (is_of_condition(k) && values_[k] != 0)
+          crossings.push_back({k, values_[k] > 0 ? 1 : -1}), happens = true;
+        continue;
+      }
+      if (!(values_[k] * static_cast<Real>(side) <= 0 || near[k] < at_once * span_)) {
+        if (near[k] < unclear * span_) return end(whole, t, "two events are hardly apart");
         continue;
       }
       crossed_[k] = -side;
-      if (events_->senses[k] == 0 || events_->senses[k] == -side) happened.push_back(k);
+      if (is_of_condition(k) || events_->senses[k] == 0 || events_->senses[k] == -side) {
+        crossings.push_back({k, -side});
+        happens = true;
+      }
     }
-    if (happened.empty()) return true;
+    if (!happens) return true;
     recent_.push_back(t);
     if (recent_.size() > many && t - recent_[recent_.size() - 1 - many] <= 1e-6L * span_)
       return end(whole, t, "events follow one another ever faster");
-    return happen(mode, happened, events_->times.size(), t, y, whole);
+    return happen(mode, crossings, false, t, y, whole);
   }
 
-  /// Lets the events at a time that ends a mode happen, if any.
+  /// At the start, and at a time of `next`. False: the run ends.
   bool at_time(const System& mode, Real t, State& y, Run& whole) {
     if (!events_) return true;
     crossed_.assign(values_.size(), 0);
-    const Real rounding = 0x1p-50L * std::abs(origin_ + t);
-    const auto next = std::ranges::lower_bound(events_->times, t - rounding);
-    if (next == events_->times.end() || *next > t + rounding) return true;
+    const Real rounding = 0x1p-50L * std::abs(events_->origin + t);
     const bool is_asked = !whole.states.empty() && whole.states.size() <= times_.size() &&
                           std::abs(times_[whole.states.size() - 1] - t) <= rounding;
-    if (!happen(mode, {}, static_cast<std::size_t>(next - events_->times.begin()), t, y, whole))
-      return false;
+    if (!happen(mode, {}, true, t, y, whole)) return false;
     if (is_asked) whole.states[whole.states.size() - 1] = y;
     return true;
   }
 
-  /// Whether the mode after events is one that they leave for good. False: the run ends.
-  bool settles(const System& mode, Real t, const State& y, Run& whole) {
-    if (!events_ || values_.empty()) return true;
-    for (std::size_t k = 0; k < values_.size(); ++k)
-      if (mode.sides[k] == 0) return end(whole, t, "the expression of an event stays zero");
-    if (recent_.empty() || recent_.back() != t) return true;
+  enum class Next { go, again, end };
+  /// Whether the mode after events is one that they leave for good. `again`: what they did made a
+  /// condition change back at once, so that there is another mode.
+  Next settles(const System& mode, Real t, State& y, Run& whole) {
+    if (!events_ || values_.empty()) return Next::go;
+    Crossings back;
+    for (std::size_t k = events_->of_events; k < values_.size(); ++k)
+      if (mode.sides[k] != course_->side(k)) back.push_back({k, mode.sides[k]});
+    if (!back.empty()) {
+      if (std::ranges::count(recent_, t) > static_cast<std::ptrdiff_t>(many))
+        return end(whole, t, "events call one another without end"), Next::end;
+      recent_.push_back(t);
+      return happen(mode, back, false, t, y, whole) ? Next::again : Next::end;
+    }
+    if (recent_.empty() || recent_.back() != t) return Next::go;
     events_->values(t, y.data(), values_.data(), moved_);
-    for (std::size_t k = 0; k < values_.size(); ++k) {
+    for (std::size_t k = 0; k < events_->of_events; ++k) {
       const bool fires = events_->senses[k] == 0 || events_->senses[k] == crossed_[k];
       // On the far side of a zero where its event does not happen, or away from any.
       const Real side = crossed_[k] == 0 ? values_[k] : static_cast<Real>(fires ? 0 : crossed_[k]);
       if (side * static_cast<Real>(mode.sides[k]) < 0)
-        return end(whole, t, "an event is undone at once (chattering)");
+        return end(whole, t, "an event is undone at once (chattering)"), Next::end;
     }
-    return true;
+    return Next::go;
   }
 
-  bool ended() const { return ended_; }
-
  private:
+  using Crossings = std::vector<formula::EventCourse<Real>::Crossing>;
   static constexpr std::size_t many = 16;
   static constexpr Real at_once = 0x1p-52L, unclear = 0x1p-36L;  // of the span
 
-  bool end(Run& whole, Real t, const char* why) {
-    ended_ = true;
-    whole.end = fmt::format("{} at t = {:.9Lg}", why, origin_ + t);
+  bool is_of_condition(std::size_t function) const { return function >= events_->of_events; }
+  static bool end(Run& whole, Real t, const std::string& why, Real origin) {
+    whole.end = fmt::format("{} at t = {:.9Lg}", why, origin + t);
     return false;
+  }
+  bool end(Run& whole, Real t, const char* why) const {
+    return end(whole, t, why, events_->origin);
   }
   /// How long each function takes to its zero as it goes now; infinite: it goes away.
   State times_to_zero(const System& mode, Real t, const State& y) {
@@ -102,16 +137,16 @@ class EventsAlong {
     }
     return times;
   }
-  bool happen(const System& mode, const std::vector<std::size_t>& functions, std::size_t timed,
-              Real t, State& y, Run& whole) {
+  bool happen(const System& mode, const Crossings& crossings, bool by_clock, Real t, State& y,
+              Run& whole) {
     const State before = y;
-    bool stops = false;
-    const std::string fault = events_->apply(t, functions, timed, y, moved_, stops);
-    if (!fault.empty()) {
-      ended_ = true;
-      whole.end = fault;
-      return false;
-    }
+    const auto ahead = [&](Real, const State& after) {
+      const auto next = system_.mode_at(t, after, span_, moved_);
+      return next ? next->sides : std::vector<int>{};
+    };
+    whole.end = course_->happen(events_->origin + t, crossings, y, ahead);
+    if (!whole.end.empty()) return false;
+    if (course_->done().empty()) return true;
     // The rounding of the time moves the state along both slopes.
     if (whole.unsure.empty()) whole.sure = whole.states.size();
     whole.unsure.resize(y.size());
@@ -120,22 +155,22 @@ class EventsAlong {
     mode.rhs(t, y.data(), g.data());
     for (std::size_t i = 0; i < y.size(); ++i)
       if (const Real slopes = std::abs(f[i]) + std::abs(g[i]); std::isfinite(slopes))
-        whole.unsure[i] += slopes * 0x1p-62L * std::max(std::abs(origin_ + t), std::abs(t));
-    for (std::size_t k = 0; timed == events_->times.size() && k < times_.size(); ++k)
+        whole.unsure[i] += slopes * 0x1p-62L * std::max(std::abs(events_->origin + t), std::abs(t));
+    for (std::size_t k = 0; !by_clock && k < times_.size(); ++k)
       if (std::abs(times_[k] - t) <= 0x1p-40L * span_) whole.ambiguous.push_back(k);
-    if (!stops) return true;
-    ended_ = true;
+    if (!course_->has_stopped()) return true;
     for (std::size_t k = whole.states.size(); k < times_.size(); ++k) whole.states.push_back(y);
     return false;
   }
 
   const Happenings* events_;
+  const System& system_;
   const std::vector<Real>& times_;
   bool moved_;
-  Real origin_, span_;
+  Real span_;
+  std::unique_ptr<formula::EventCourse<Real>> course_;
   State values_, recent_;
   std::vector<int> crossed_;  ///< the senses in which functions crossed zero at the last change
-  bool ended_ = false;
 };
 
 }  // namespace odeum::truth

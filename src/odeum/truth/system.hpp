@@ -13,6 +13,11 @@
 #include "odeum/core/error_units.hpp"
 #include "odeum/problem/sparsity.hpp"
 
+namespace odeum::formula {
+template <class Real>
+class EventCourse;
+}
+
 /// References that Odeum computes for problems without a closed form: by two methods of different
 /// families in extended precision, which no competitor is (their steps, orders and programs are not
 /// those of Odeum's own methods).
@@ -56,18 +61,15 @@ class Watched;
 /// Part of itself, see System::moved_rhs and Effort::disturb.
 inline constexpr Real moved_by = 0x1p-40L;
 
-/// What happens to a solution at times, and where functions of it cross zero.
+/// What happens to a solution at times, where functions of it cross zero, and where conditions on
+/// their signs become true.
 struct Happenings {
-  State times;              ///< of the former, ascending
-  std::vector<int> senses;  ///< by function: 1 rising, -1 falling, 0 either
+  std::vector<int> senses;    ///< by function: 1 rising, -1 falling, 0 either
+  std::size_t of_events = 0;  ///< so many functions are those of events, the others of conditions
+  Real origin = 0;            ///< what is added to a time
   /// The functions, on constants that are moved or not.
   std::function<void(Real t, const Real* y, Real* values, bool moved)> values;
-  /// Gives y the values after the events of these functions, or those of time number `timed`
-  /// (times.size(): none). A sentence where they contradict each other, else empty; `stops`: the
-  /// solution stays as it is from then on.
-  std::function<std::string(Real t, const std::vector<std::size_t>& functions, std::size_t timed,
-                            State& y, bool moved, bool& stops)>
-      apply;
+  std::function<std::unique_ptr<formula::EventCourse<Real>>(bool moved)> course;  ///< of one run
 };
 
 /// An initial value problem in extended precision. Times and states are in the problem's units; y,
@@ -103,7 +105,7 @@ struct System {
   std::function<std::shared_ptr<System>(Real t, const State& y, Real span, bool moved)> mode_at;
   /// Times, ascending, at which steps end, since one mode ends and another one begins there.
   State switches;
-  /// With `mode_at`: events, whose times are among the switches; null: there are none.
+  /// With `mode_at`: events; null: there are none.
   std::shared_ptr<const Happenings> events;
   /// The signs that a mode's functions of events have as long as it holds.
   std::vector<int> sides;

@@ -8,7 +8,7 @@ namespace odeum::truth {
 /// A constant that rounding could have moved, moved by `moved_by` of itself.
 Real moved(Real c);
 
-/// Gives a system the events of a text, if any, and their times to its switches.
+/// Gives a system the events of a text, if any.
 void add_happenings(const formula::Problem& problem, System& system);
 
 }  // namespace odeum::truth

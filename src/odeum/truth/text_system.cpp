@@ -252,12 +252,13 @@ class Modes {
   std::shared_ptr<System> system_of_part(const Part& part, Real t, std::vector<int> sides) const {
     auto system = std::make_shared<System>(smooth_system(part.ode));
     system->work *= 5;  // interpreted
-    std::vector<Id> positive = part.positive;
+    std::vector<Id> positive = part.positive, zero = part.zero;
     for (std::size_t k = 0; k < sides.size(); ++k)
-      if (sides[k] != 0) positive.push_back(part.events[k][sides[k] > 0 ? 0 : 1]);
+      sides[k] == 0 ? zero.push_back(part.events[k][0])
+                    : positive.push_back(part.events[k][sides[k] > 0 ? 0 : 1]);
     system->sides = std::move(sides);
     std::vector<Id> all = positive;
-    all.insert(all.end(), part.zero.begin(), part.zero.end());
+    all.insert(all.end(), zero.begin(), zero.end());
     system->whole_rhs = [ode = ode_](Real at, const Real* y, Real* f) {
       ode->rhs_extended(at, y, f);
     };

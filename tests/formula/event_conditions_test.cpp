@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Events that conditions call, with delays, priorities and persistence, in runs and truths, against
+// values from closed forms.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "odeum/cases/set_problem.hpp"
+#include "odeum/cases/text_events.hpp"
+#include "odeum/cases/text_truth.hpp"
+#include "odeum/formula/text_ode.hpp"
+
+namespace odeum::tests::event_conditions_test {
+namespace {
+
+using formula::TextOde;
+
+struct Given {
+  const char* name;
+  const char* text;
+  std::vector<double> expected;  ///< the states at the stops
+};
+
+const double half = std::log(2.0);
+
+const Given all_given[] = {
+    {"a delay, twice",
+     R"text(
+states: {x: 1}
+equations: {x: -x}
+time: {end: 4, stops: [1, 1.6, 2, 4]}
+events:
+  - {when: x < 0.5, delay: 1, set: {x: 1}}
+)text",
+     {std::exp(-1.0), std::exp(-1.6), std::exp(-(1 - half)), std::exp(-(4 - 2 * (1 + half)))}},
+    {"values of the call, or of the time it is carried out at",
+     R"text(
+states: {x: 0, a: 0, b: 0}
+equations: {x: 1, a: 0, b: 0}
+time: {end: 3, stops: [1, 2, 3]}
+events:
+  - {at: 1, delay: 1, early: true, set: {a: x}}
+  - {when: x >= 1, delay: 1, set: {b: x}}
+)text",
+     {1, 0, 0, 2, 1, 2, 3, 1, 2}},
+    {"persistence",
+     R"text(
+states: {x: 0, a: 0, b: 0}
+equations: {x: 1, a: 0, b: 0}
+time: {end: 3, stops: [1.1, 3]}
+events:
+  - {when: "x > 0.5 and x < 0.7", delay: 0.5, persistent: false, set: {a: 1}}
+  - {when: "x > 0.5 and x < 0.7", delay: 0.5, set: {b: 1}}
+)text",
+     {1.1, 0, 1, 3, 0, 1}},
+    {"priorities that are expressions, before orders",
+     R"text(
+parameters: {p: 2}
+states: {x: 0, n: 1}
+equations: {x: 1, n: 0}
+time: {end: 3, stops: [1, 2, 3]}
+events:
+  - {at: 1, every: 1, until: 2, priority: x, order: 2, set: {n: 10*n}}
+  - {at: 1, every: 1, until: 2, priority: 3 - x, order: 1, set: {n: n + p}}
+)text",
+     {1, 30, 2, 302, 3, 302}},
+    {"a chain at one time",
+     R"text(
+states: {x: 0, a: 0, b: 0}
+equations: {x: 1, a: 0, b: 0}
+time: {end: 2, stops: [0.5, 1.25, 2]}
+events:
+  - {when: "b >= 1 or x > 7", set: {x: x + 10}}
+  - {when: a == 2, set: {b: 1}}
+  - {when: x >= 1, set: {a: 2}}
+)text",
+     {0.5, 0, 0, 11.25, 2, 1, 12, 2, 1}},
+    {"at the start",
+     R"text(
+states: {x: 0, a: 0, b: 0, c: 0, d: 0}
+equations: {x: 1, a: 0, b: 0, c: 0, d: 0}
+time: {end: 2, stops: [1, 2]}
+events:
+  - {when: t >= 0, initially: false, set: {a: a + 1}}
+  - {when: t >= 0, set: {b: b + 1}}
+  - {when: x > 0, set: {c: c + 1}}
+  - {when: 1 > 0, initially: false, set: {d: d + 1}}
+)text",
+     {1, 1, 0, 1, 1, 2, 1, 0, 1, 1}},
+    {"a stop at the time of an event, which a comparison of the time gives",
+     R"text(
+states: {x: 0, a: 0}
+equations: {x: a, a: 0}
+time: {end: 1, stops: [0.3, 0.7, 1]}
+events:
+  - {when: t >= 0.3, set: {a: 1}}
+  - {when: t > 0.7, set: {a: 2}}
+)text",
+     {0, 1, 0.4, 2, 1, 2}},
+    {"a threshold that is set",
+     R"text(
+states: {x: 0, top: 1}
+equations: {x: 1, top: 0}
+time: {end: 4, stops: [0.5, 1.5, 4]}
+events:
+  - {when: x >= top, set: {x: 0, top: 2*top}}
+)text",
+     {0.5, 1, 0.5, 2, 1, 4}},
+    {"a reset that leaves the condition at its edge",
+     R"text(
+states: {h: 1, v: 0}
+equations: {h: v, v: -2}
+time: {end: 3.5, stops: [0.5, 1.5, 3.5]}
+events:
+  - {when: h < 0, set: {v: -v}}
+)text",
+     {0.75, -1, 0.75, 1, 0.75, 1}},
+    {"a ball that is set to rest",
+     R"text(
+states: {h: 1, v: 0, g: 2}
+equations: {h: v, v: -g, g: 0}
+time: {end: 6, stops: [0.5, 1.25, 6]}
+events:
+  - {when: h, falling: true, set: {h: 0, v: "if(abs(v) < 1.5, 0, -v/2)", g: "if(abs(v) < 1.5, 0, g)"}}
+)text",
+     {0.75, -1, 2, 0.1875, 0.5, 2, 0, 0, 0}},
+};
+
+struct Hybrid {
+  explicit Hybrid(const std::string& text)
+      : problem(formula::read_problem("events.yaml", text)),
+        ode(std::make_shared<TextOde>(problem, TextOde::Code::interpreted)),
+        contest{ode->view(), ode, static_cast<double>(problem.t0),
+                std::make_shared<const std::vector<double>>(problem.y0.begin(), problem.y0.end()),
+                nullptr} {
+    contest.events = cases::events_of(problem);
+  }
+  Outcome run(const std::string& solver, std::uint64_t steps) const {
+    Request request;
+    request.mode = steps > 0 ? Mode::fixed : Mode::adaptive;
+    request.steps = steps;
+    request.tolerance = 1e-10;
+    request.stops = problem.stops;
+    return cases::enroll(contest).find(solver)->solve(request);
+  }
+  formula::Problem problem;
+  std::shared_ptr<TextOde> ode;
+  ErasedContest contest;
+};
+
+void expect_states(const std::vector<double>& states, const std::vector<double>& expected,
+                   double error) {
+  ASSERT_EQ(states.size(), expected.size());
+  for (std::size_t k = 0; k < states.size(); ++k) EXPECT_NEAR(states[k], expected[k], error) << k;
+}
+
+TEST(EventConditions, RunsHaveTheStatesOfClosedForms) {
+  for (const Given& given : all_given) {
+    const Hybrid text(given.text);
+    for (const char* solver : {"odeum/dormand_prince54", "odeum/rodas4", "odeum/bdf_variable"}) {
+      SCOPED_TRACE(fmt::format("{} {}", given.name, solver));
+      const Outcome outcome = text.run(solver, 0);
+      ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+      expect_states(outcome.states, given.expected, 1e-7);  // the tolerance times many steps
+    }
+    // Every stop is on the grid; the method is exact for all but the exponentials.
+    SCOPED_TRACE(given.name);
+    const Outcome fixed = text.run("odeum/rk4", 1680);
+    if (fixed.status != Status::refused) expect_states(fixed.states, given.expected, 1e-7);
+  }
+}
+
+TEST(EventConditions, TruthsHaveThemToo) {
+  for (const Given& given : all_given) {
+    SCOPED_TRACE(given.name);
+    const Hybrid text(given.text);
+    const cases::TextTruth truth = cases::truth_of(text.ode);
+    EXPECT_EQ(truth.stops, text.problem.stops) << truth.words;
+    std::vector<double> states;
+    for (const double t : text.problem.stops) {
+      std::vector<long double> y(text.problem.states.size());
+      ASSERT_TRUE(truth.extended(t, y.data())) << truth.words;
+      states.insert(states.end(), y.begin(), y.end());
+    }
+    EXPECT_LT(truth.extended_floor, 1e-12) << truth.words;
+    expect_states(states, given.expected, truth.extended_floor + 2e-15);
+  }
+}
+
+TEST(EventConditions, ThoseThatCallOneAnotherWithoutEndEndARun) {
+  const Hybrid text(R"text(
+states: {x: 0, a: 0}
+equations: {x: 1, a: 0}
+time: {end: 2}
+events:
+  - {when: "x >= 1 and a == 0", set: {a: 1}}
+  - {when: a == 1, set: {a: 0}}
+)text");
+  const Outcome outcome = text.run("odeum/dormand_prince54", 0);
+  EXPECT_EQ(outcome.status, Status::refused);
+  EXPECT_NE(outcome.detail.find("without end"), std::string::npos) << outcome.detail;
+  EXPECT_LE(cases::truth_of(text.ode).known_until, 1.0);
+}
+
+TEST(EventConditions, ThoseThatAreNotSoundAreRefusedWithTheirPlace) {
+  const std::pair<const char*, const char*> bad[] = {
+      {"- {when: x > 1, rising: true, set: {x: 1}}", "6:19: events[1]: rising: got one beside a c"},
+      {"- {when: x, initially: false, set: {x: 1}}", "6:15: events[1]: initially: got one beside"},
+      {"- {when: 2 > 1, set: {x: 1}}", "6:12: events[1]: when: got a constant"},
+      {"- {at: 1, delay: 0 - 1, set: {x: 1}}", "6:20: events[1]: delay: got -1"},
+      {"- {at: 1, early: 1, set: {x: 1}}", "6:20: events[1]: early: got 1"},
+      {"- {when: log(x - 5) > 1, set: {x: 1}}", "6:3: events: a comparison of a condition is not"}};
+  for (const auto& [event, message] : bad) {
+    const std::string text = fmt::format(
+        "# events\nstates: {{x: 1}}\nequations: {{x: -x}}\ntime: {{end: 3}}\nevents:\n  {}\n",
+        event);
+    try {
+      formula::read_problem("f.yaml", text);
+      ADD_FAILURE() << event;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(fmt::format("f.yaml:{}", message), 0), 0U)
+          << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace odeum::tests::event_conditions_test
