@@ -59,7 +59,7 @@ struct Problem {
   /// Functions that decide what happens and have to be watched along the solution, those of events
   /// first; and those whose zeros are known.
   std::vector<Watched> watched, clocked;
-  /// Of conditions: the numbers of their functions, those of `clocked` after those of `watched`.
+  /// The numbers of the functions of comparisons in conditions: those of `watched`, then `clocked`.
   std::map<Id, std::size_t> comparisons;
   /// R(t, y, y') = 0 where not all rates could be solved for, one for each state, constraints among
   /// them, with the rates as the states from first_rate on (formula/reduction.hpp); empty: none.

@@ -45,7 +45,7 @@ class EventCourse {
 struct Events {
   std::vector<std::string> names;  ///< of all events, for people
   std::vector<bool> stops;         ///< by event: it ends the solution
-  /// By function: an event happens where it rises (1), falls (-1), or both (0).
+  /// Where an event of each function happens: where it rises (1), falls (-1), or both (0).
   std::vector<int> senses;
   /// So many functions are those of events; the signs of the others decide conditions.
   std::size_t of_events = 0;

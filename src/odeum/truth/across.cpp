@@ -116,6 +116,12 @@ System from_zero(const System& system) {
 
 namespace {
 
+/// The next named switch after t; infinite: there is none.
+Real next_switch(const System& system, Real t) {
+  const auto next = std::ranges::upper_bound(system.switches, t);
+  return next == system.switches.end() ? std::numeric_limits<Real>::infinity() : *next;
+}
+
 /// Whether a mode follows at t; else the run ends, in words.
 bool has_mode(const System& system, const std::shared_ptr<System>& mode, bool changes_on, Real t,
               Run& whole) {
@@ -147,7 +153,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
   for (int at_once = 0; !left.empty();) {
     const std::shared_ptr<System> mode = system.mode_at(t, y, span, moved);
     if (!has_mode(system, mode, at_once <= most_at_once, t, whole)) return whole;
-    const EventsAlong::Next next = events.settles(*mode, t, y, whole);
+    const auto next = events.settles(*mode, t, y, whole);
     if (next == EventsAlong::Next::end) return whole;
     if (next == EventsAlong::Next::again) continue;
     if (before) {
@@ -158,9 +164,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
     mode->t0 = t;
     mode->y0 = y;
     mode->along = system.along;
-    const auto named = std::ranges::upper_bound(system.switches, t);
-    const Real by_clock = events.next();
-    const Real switched = named == system.switches.end() ? by_clock : std::min(*named, by_clock);
+    const Real by_clock = events.next(), switched = std::min(by_clock, next_switch(system, t));
     const bool to_switch = switched <= left.back();
     const auto last = to_switch ? std::ranges::lower_bound(left, switched) : left.end();
     std::vector<Real> until(left.begin(), last);

@@ -227,8 +227,7 @@ class Modes {
     }
     return at->second;
   }
-  /// Makes a few steps of Euler's method, so that a condition of which only a higher derivative is
-  /// not zero changes too.
+  /// Four steps of Euler's method change what only a higher derivative moves, too.
   static State short_way(const Part& part, Real t, State y, Real after) {
     constexpr int steps = 4;
     State slope(y.size());
