@@ -2,13 +2,13 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "odeum/core/status.hpp"
 #include "odeum/kernel/components.hpp"
 #include "odeum/kernel/iteration.hpp"
 #include "odeum/kernel/last_correction.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
+#include "odeum/kernel/simplified_newton.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/problem/concepts.hpp"
 
@@ -29,50 +29,41 @@ class NewtonIteration {
         guess_(correction_),
         last_(correction_),
         increment_(correction_),
-        weight_(weight) {}
+        newton_(max_iterations_, 0, weight) {}
 
   /// From now on iterate to `fraction` of a tolerance, and fail early where convergence is too
   /// slow, since the step will be retried shorter. Without it the iteration goes on to rounding.
   void solve_to(const Tolerance& tolerance, double fraction) {
     accuracy_ = {tolerance.with_relative(tolerance.relative * fraction), correction_};
     max_iterations_ = 10;
+    newton_ = Convergence(max_iterations_, 1);
   }
 
   /// On entry y is the guess, on return the solution. newton_failed where the iteration does not
   /// converge or the matrix is singular. `otherwise`: the guess from which it starts again.
   Status solve(double t, double gamma_h, const State<P>& base, State<P>& y,
                const State<P>& otherwise) {
-    bool fresh = false;
+    newton_.begin();
     last_.forget_share();
-    if (gamma_h != factored_for_ && !renew(t, gamma_h, y, fresh)) return Status::newton_failed;
+    if (gamma_h != factored_for_ && !renew(t, gamma_h, y)) return Status::newton_failed;
     guess_ = otherwise;
     each_component(y, [&](std::size_t i) { increment_[i] = y[i] - base[i]; });
-    double last = 0;
-    int since_renewal = 0;
     for (int iteration = 0; iteration < max_iterations_; ++iteration) {
       problem_.rhs(t, y.data(), correction_.data());
       each_component(
           y, [&](std::size_t i) { correction_[i] = gamma_h * correction_[i] - increment_[i]; });
       if (!system_.solve(correction_.data(), correction_accuracy)) return fail();
       const double size = measure(base, y);
-      const bool rate_known = since_renewal > 0;
-      const double rate = rate_known ? size / last : 0;
-      const bool done =
-          to_rounding() ? at_rounding(size, rate, rate_known, weight_)
-                        : size <= 1 || (rate_known && rate < 1 && size * rate / (1 - rate) <= 1);
-      if (!done && !(rate < 1 && last_.share() == 1 && std::isfinite(size))) {
-        const double finite_rate = std::isfinite(size) ? rate : infinity;
-        if (!back_off(t, gamma_h, base, y, fresh, since_renewal, finite_rate)) return fail();
+      const NewtonVerdict verdict = newton_.judge(size);
+      const bool done = verdict == NewtonVerdict::done;
+      if (!done && (verdict == NewtonVerdict::diverges || last_.share() != 1)) {
+        if (!back_off(t, gamma_h, base, y)) return fail();
         continue;
       }
       last_.take(correction_, y, increment_);
       if (done) return Status::ok;
-      last = size;
-      ++since_renewal;
-      if (rate > (fresh ? slow_fresh : slow_kept)) {
-        if (!renew(t, gamma_h, y, fresh)) return Status::newton_failed;
-        since_renewal = 0;
-      }
+      newton_.taken(size);
+      if (verdict == NewtonVerdict::slow && !renew(t, gamma_h, y)) return Status::newton_failed;
     }
     return fail();
   }
@@ -81,36 +72,32 @@ class NewtonIteration {
   const State<P>& increment() const { return increment_; }
 
  private:
-  // A contraction above this triggers a new Jacobian: earlier for a reused one, since the next
-  // steps profit too.
-  static constexpr double slow_kept = 0.05, slow_fresh = 0.1;
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  bool renew(double t, double gamma_h, const State<P>& y, bool& fresh) {
-    fresh = true;
+  bool renew(double t, double gamma_h, const State<P>& y) {
+    newton_.renewed();
     last_.forget_share();
     system_.linearise(t, y);
     factored_for_ = system_.factorise(gamma_h) ? gamma_h : 0;
     return factored_for_ == gamma_h;
   }
-  /// Called where the next correction did not shrink (rate >= 1; infinite: it is not finite), or
-  /// the last was taken in part. With a reused Jacobian: renews it at the guess and restarts there.
-  /// With an older one of this solve: renews it at y. With one at the correction's own start:
-  /// halves the correction until the next is smaller, then renews it (Deuflhard, Newton Methods for
-  /// Nonlinear Problems, 3.3). False: gives up; a step that can be retried shorter does so at once.
-  bool back_off(double t, double gamma_h, const State<P>& base, State<P>& y, bool& fresh,
-                int& since_renewal, double rate) {
-    if (fresh && (!to_rounding() || (since_renewal == 0 && rate == infinity))) return false;
-    if (fresh && since_renewal == 1 && !(rate <= 1 - last_.share() / 4)) {
+  /// Called where the next correction did not shrink, or is not finite, or the last was taken in
+  /// part. With a reused Jacobian: renews it at the guess and restarts there. With an older one of
+  /// this solve: renews it at y. With one at the correction's own start: halves the correction
+  /// until the next is smaller, then renews it (Deuflhard, Newton Methods for Nonlinear Problems,
+  /// 3.3). False: gives up; a step that can be retried shorter does so at once.
+  bool back_off(double t, double gamma_h, const State<P>& base, State<P>& y) {
+    const bool fresh = newton_.fresh();
+    const double rate = newton_.contraction();
+    const bool finite = rate < NewtonSettings::never;
+    if (fresh && (!to_rounding() || (newton_.corrections() == 0 && !finite))) return false;
+    if (fresh && newton_.corrections() == 1 && !(rate <= 1 - last_.share() / 4)) {
       last_.take_share(last_.share() / 2, y, increment_);
       return true;
     }
     if (!fresh)
       restart(base, y);
-    else if (rate == infinity)
+    else if (!finite)
       last_.take_share(0, y, increment_);
-    since_renewal = 0;
-    return renew(t, gamma_h, y, fresh);
+    return renew(t, gamma_h, y);
   }
   void restart(const State<P>& base, State<P>& y) {
     y = guess_;
@@ -143,8 +130,12 @@ class NewtonIteration {
   State<P> increment_;       ///< gamma_h f: rounded by itself, not as the state that it is added to
   double factored_for_ = 0;  ///< gamma_h of the factors; 0: none
   ErrorScale<State<P>> accuracy_;
-  double weight_;
   int max_iterations_ = 50;
+  // A large contraction asks for a new Jacobian: sooner for a reused one, since the next steps
+  // profit too.
+  using Convergence = SimplifiedNewton<NewtonSettings{
+      .slow_kept = 0.05, .slow_fresh = 0.1, .small_suffices = true}>;
+  Convergence newton_;
 };
 
 }  // namespace odeum

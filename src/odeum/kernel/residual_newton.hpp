@@ -7,6 +7,7 @@
 #include "odeum/kernel/iteration.hpp"
 #include "odeum/kernel/newton.hpp"
 #include "odeum/kernel/residual_system.hpp"
+#include "odeum/kernel/simplified_newton.hpp"
 
 namespace odeum {
 
@@ -20,30 +21,28 @@ class Newton<P> {
       : system_(problem), increment_(make_state(problem)), change_(increment_) {}
 
   Status solve(double t, double gamma_h, const State<P>& base, State<P>& y) {
-    constexpr int most = 30;
-    double last = 0;
-    for (int iteration = 0; iteration < most; ++iteration) {
+    newton_.begin();
+    const auto correct = [&] {
       each_component(y, [&](std::size_t i) {
         increment_[i] = y[i] - base[i];
         change_[i] = increment_[i] / gamma_h;
       });
       system_.linearise(t, y, change_);
-      if (!system_.factorise(gamma_h)) return Status::newton_failed;
+      if (!system_.factorise(gamma_h)) return newton_.no_solution;
       system_.correct(t, y, change_);
       each_component(y, [&](std::size_t i) { y[i] += change_[i]; });
-      const double size =
-          max_norm(change_) /
-          (iteration_tolerance * std::max({max_norm(y), max_norm(base), smallest_state}));
-      if (!std::isfinite(size)) return Status::newton_failed;
-      if (at_rounding(size, size / last, iteration > 0)) return Status::ok;
-      last = size;
-    }
-    return Status::newton_failed;
+      newton_.measure_in(iteration_tolerance *
+                         std::max({max_norm(y), max_norm(base), smallest_state}));
+      return max_norm(change_);
+    };
+    return newton_(correct) == NewtonVerdict::done ? Status::ok : Status::newton_failed;
   }
 
  private:
   ResidualSystem<P> system_;
   State<P> increment_, change_;
+  // A matrix at each iteration: a correction that is larger than the one before it means nothing.
+  SimplifiedNewton<NewtonSettings{.divergent = NewtonSettings::never}> newton_{30};
 };
 
 }  // namespace odeum

@@ -19,6 +19,7 @@ struct NewtonSettings {
   double slow_kept = never, slow_fresh = never;
   bool foresees = false;  ///< fail once the iterations left cannot suffice at this contraction
   bool smooth = false;    ///< the contraction is the geometric mean of the last two
+  bool small_suffices = false;  ///< a correction within the tolerance ends it at any contraction
   /// The remainder while no contraction is known. One that an earlier solve measured does not bound
   /// it: across a contact f is another function.
   double first_remainder = 1;
@@ -26,8 +27,9 @@ struct NewtonSettings {
 
 enum class NewtonVerdict { done, go_on, slow, diverges, unsolvable };
 
-/// Simplified Newton iteration of fully implicit Runge-Kutta and BDF methods: the Jacobian is kept
-/// while the iteration converges fast (Hairer, Wanner, Solving ODEs II, IV.8).
+/// The convergence of Newton iterations, for all kernels: the Jacobian is kept while the iteration
+/// converges fast (Hairer, Wanner, Solving ODEs II, IV.8). A kernel that takes each correction
+/// whole has its loop here; another asks for the verdict on a correction before it takes it.
 template <NewtonSettings s>
 class SimplifiedNewton {
  public:
@@ -49,8 +51,7 @@ class SimplifiedNewton {
       if (size < 0) return Verdict::unsolvable;
       const Verdict verdict = judge(size);
       if (verdict == Verdict::done || verdict == Verdict::diverges) return verdict;
-      last_ = std::max(size, std::numeric_limits<double>::min());
-      ++corrections_;
+      taken(size);
       if (verdict == Verdict::slow && !renew()) break;
     }
     return Verdict::diverges;
@@ -75,9 +76,11 @@ class SimplifiedNewton {
   void measure_in(double unit) { unit_ = unit; }
 
   int iterations() const { return iterations_; }       ///< of the last solve
-  double contraction() const { return contraction_; }  ///< 0: not known
+  double contraction() const { return contraction_; }  ///< 0: not known; never: not finite
+  int corrections() const { return corrections_; }     ///< since the last renewal
+  bool fresh() const { return fresh_; }                ///< the Jacobian is of this solve
 
- private:
+  /// What a correction of this size means.
   Verdict judge(double size) {
     contraction_ = std::isfinite(size) ? 0 : NewtonSettings::never;
     if (contraction_ > 0) return Verdict::diverges;
@@ -90,7 +93,8 @@ class SimplifiedNewton {
       remainder = contraction_ < 1 ? contraction_ / (1 - contraction_) : NewtonSettings::never;
     }
     if (tolerance_ == 0 ? at_rounding(size / unit_, contraction_, known, weight_)
-                        : size == 0 || remainder * size <= tolerance_)
+                        : size == 0 || remainder * size <= tolerance_ ||
+                              (s.small_suffices && size <= tolerance_))
       return Verdict::done;
     if (contraction_ >= s.divergent) return Verdict::diverges;
     const int left = most_ - 1 - iterations_;
@@ -99,11 +103,17 @@ class SimplifiedNewton {
       return Verdict::diverges;
     return contraction_ > (fresh_ ? s.slow_fresh : s.slow_kept) ? Verdict::slow : Verdict::go_on;
   }
+  /// To be called when the correction of this size was taken.
+  void taken(double size) {
+    last_ = std::max(size, std::numeric_limits<double>::min());
+    ++corrections_;
+  }
 
+ private:
   int most_;
   double tolerance_, weight_, unit_ = 1, last_ = 0, last_ratio_ = 0, contraction_ = 0;
-  int iterations_ = 0, corrections_ = 0;  ///< of the last solve, since the last renewal
-  bool fresh_ = false;                    ///< the Jacobian is of this solve
+  int iterations_ = 0, corrections_ = 0;
+  bool fresh_ = false;
 };
 
 }  // namespace odeum
