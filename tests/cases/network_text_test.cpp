@@ -93,7 +93,7 @@ TEST(Networks, FaultsHaveTheirLine) {
 TEST(Networks, ANameThatIsNoneIsMadeOne) {
   std::string text = network("  1 1 4 k", "  1 B_tot 2");
   text.insert(text.find("begin parameters\n") + 17, "  ! 2 E0 10\n");
-  EXPECT_NE(cases::text_of_network("n.net", text, 1).find("n2: E010"), std::string::npos);
+  EXPECT_NE(cases::text_of_network("n.net", text, 1).find("\"n2\": \"E010\""), std::string::npos);
 }
 
 }  // namespace

@@ -96,12 +96,15 @@ TEST(Remarks, SayWhatAnErrorAtTheEndHides) {
   ASSERT_EQ(said.size(), 1U);
   EXPECT_EQ(
       said[0],
-      "E, C, P never exceed the absolute tolerance, which leaves the error uncontrolled there");
+      "E, C, P never exceed the absolute tolerance, which leaves the error uncontrolled there; "
+      "--rtol 1e-06 --atol 1e-05,E=1e-12,C=5e-13,P=5e-12 controls it");
   set_tolerance(run.request, c, 1e-6);
   run.outcome.states[0] = -1.8e-6;
   said = judge::remarks(c, run.request, run.outcome);
   ASSERT_GE(said.size(), 2U);
-  EXPECT_EQ(said[0], "S (-1.8e-06) falls below zero where the solution is not");
+  EXPECT_EQ(said[0],
+            "S (-1.8e-06) falls below zero where the solution is not; --rtol 1e-06 --atol S=1e-11 "
+            "asks for more digits");
   EXPECT_NE(said[1].find("the equations keep "), std::string::npos) << said[1];
 }
 
