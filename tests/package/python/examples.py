@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the examples of the Python package, and tests what it translates, from an installed package alone.
+    examples.py PREFIX EXAMPLES"""
+import math, os, pathlib, subprocess, sys
+
+prefix, examples = map(pathlib.Path, sys.argv[1:3])
+try:
+    import numpy as np
+    import scipy  # noqa: F401
+except ImportError as error:
+    sys.exit(f"not checked: {error} (python3-numpy, python3-scipy)")
+package = prefix / "lib/python3/dist-packages"
+os.environ["ODEUM_PROGRAM"] = str(prefix / "bin/odeum")
+os.environ["PYTHONPATH"] = str(package)
+sys.path.insert(0, str(package))
+import odeum
+
+assert pathlib.Path(odeum.__file__).is_relative_to(package), odeum.__file__
+
+
+def refused(f, words, error=odeum.NotTranslatable):
+    try:
+        odeum.text_of(f, [1.0, 0.5], (0, 1))
+    except error as why:
+        assert words in str(why), why
+        return
+    raise AssertionError(f"not refused: {words}")
+
+
+# What is translated is what the program runs: the state at the end by a method of order 8, and by the function in Python.
+def of_all_kinds(t, y, rate):
+    matrix = np.array([[0.0, 1.0], [-2.0, 0.0]])
+    drift = matrix @ y - -rate * y**2 / (1 + abs(y[0])) ** 0.5
+    return drift + np.array([math.sin(t), np.where(y[0] > 0, math.exp(-t), 2.0) - (3 - t) ** 2 / 10 + -t**2 / 50])
+
+
+from scipy.integrate import solve_ivp
+
+theirs = solve_ivp(of_all_kinds, (0, 1), [1.0, 0.5], args=(0.3,), rtol=1e-12, atol=1e-12, method="DOP853").y[:, -1]
+ours = odeum.run(of_all_kinds, [1.0, 0.5], (0, 1), args=(0.3,), solver="dormand_prince853", tol=1e-12, every=0.5)
+end = ours.trajectory[(ours.trajectory["solver"] == "dormand_prince853") & (ours.trajectory["time"] == 1)][0]
+assert ours.rows["status"][0] == "ok" and ours.rows.dtype.names
+# Both runs are at 1e-12 over one unit of time.
+assert abs(end["y0"] - theirs[0]) < 1e-10 and abs(end["y1"] - theirs[1]) < 1e-10, (end, theirs)
+
+calls = iter(range(10**6))
+refused(lambda t, y: [1.0 if y[0] > 0 else 2.0, 0.0], "numpy.where")
+refused(lambda t, y: [float(y[0]), 0.0], "makes a number of a state")
+refused(lambda t, y: [y[0] * next(calls), 0.0], "depends on more than its arguments")
+refused(lambda t, y: [np.interp(y[0], [0, 1], [0, 1]), 0.0], "cannot be called with symbols")
+refused(lambda t, y: [y[0] + math.inf, 0.0], "constant inf")
+refused(lambda t, y: [y[0]], "1 rates for 2 states", ValueError)
+try:
+    odeum.run("no_such_case", solver="rk4", step=0.1)
+    raise AssertionError("not refused: no_such_case")
+except odeum.OdeumError as why:
+    assert "no_such_case" in str(why), why
+
+for example in sorted(examples.glob("*.py")):
+    done = subprocess.run([sys.executable, example], capture_output=True, text=True)
+    print(f"{example.name}:\n{done.stdout}")
+    if done.returncode != 0:
+        sys.exit(f"{example.name} ended with {done.returncode}: {done.stderr}")
