@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "odeum/cases/kinds/sbml/sbml.hpp"
 #include "odeum/input/yaml_tree.hpp"
+#include "sbml/module.hpp"
 #include "sbml/translation.hpp"
 
 namespace odeum {
@@ -59,22 +59,14 @@ void require_core(const std::string& file, SBMLDocument& document) {
   }
 }
 
-}  // namespace
-}  // namespace adapters::sbml
-
-std::string cases::sbml_support() {
-  return fmt::format("levels 2 and 3, by libsbml {}", getLibSBMLDottedVersion());
-}
-
-cases::SbmlText cases::text_of_sbml(const std::string& file, const std::string& xml, double end) {
-  using namespace adapters::sbml;
+cases::SbmlText translated(const std::string& file, const std::string& xml, double end) {
   require_plain(file, xml);
   const std::unique_ptr<SBMLDocument> document(readSBMLFromString(xml.c_str()));
   require_valid(file, *document);
   const Model* const model = document->getModel();
   if (!model) throw InputError(file, {}, "no model; got none, expected one in <sbml>");
   require_core(file, *document);
-  SbmlText result;
+  cases::SbmlText result;
   try {
     result.text = Translation(*model).text(end);
   } catch (const ElementError& error) {
@@ -88,4 +80,21 @@ cases::SbmlText cases::text_of_sbml(const std::string& file, const std::string& 
   return result;
 }
 
+}  // namespace
+}  // namespace adapters::sbml
 }  // namespace odeum
+
+void odeum_sbml_text(const std::string& file, const std::string& xml, double end,
+                     odeum::cases::SbmlText& result, std::string& fault) {
+  try {
+    result = odeum::adapters::sbml::translated(file, xml, end);
+  } catch (const odeum::InputError& error) {
+    fault = error.what();
+  } catch (const std::exception& error) {
+    fault = fmt::format("{}: {}", file, error.what());
+  }
+}
+
+void odeum_sbml_support(std::string& words) {
+  words = fmt::format("levels 2 and 3, by libsbml {}", getLibSBMLDottedVersion());
+}

@@ -8,7 +8,7 @@ file(MAKE_DIRECTORY ${FOLDER}/elsewhere)
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER}/prefix
                 OUTPUT_QUIET ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
 find_program(READELF readelf REQUIRED)
-file(GLOB peers ${FOLDER}/prefix/lib/odeum/peers/*.so)
+file(GLOB peers ${FOLDER}/prefix/lib/odeum/peers/*.so ${FOLDER}/prefix/lib/odeum/*.so)
 foreach(file IN ITEMS ${BUILD}/odeum ${FOLDER}/prefix/bin/odeum ${peers})
   execute_process(COMMAND ${READELF} -d ${file} OUTPUT_VARIABLE sections COMMAND_ERROR_IS_FATAL ANY)
   if(sections MATCHES "\\((RPATH|RUNPATH)\\)[^[]*\\[([^]]*)\\]")
@@ -48,6 +48,14 @@ endfunction()
 expect("hanging_cloth" list scenes)
 expect("pleiades" run pleiades --solver rk4 --step 0.01)
 expect("spinning pair" run spinning_pair --until 0.1 --out run)
+if(EXISTS ${FOLDER}/prefix/lib/odeum/odeum_sbml.so)
+  file(WRITE ${FOLDER}/elsewhere/decay.xml "<?xml version='1.0' encoding='UTF-8'?>
+<sbml xmlns='http://www.sbml.org/sbml/level3/version2/core' level='3' version='2'><model>
+<listOfParameters><parameter id='x' value='1' constant='false'/></listOfParameters>
+<listOfRules><rateRule variable='x'><math xmlns='http://www.w3.org/1998/Math/MathML'>
+<apply><minus/><ci>x</ci></apply></math></rateRule></listOfRules></model></sbml>")
+  expect("x' = -x" run decay.xml --until 1 --solver rk4 --step 0.1)
+endif()
 expect("Gauss" verify ${FOLDER}/prefix/${DOCS}/cases/tableaus/gauss4.yaml)
 foreach(file IN ITEMS replay.html final.csv)
   if(NOT EXISTS ${FOLDER}/elsewhere/run/${file})

@@ -218,22 +218,6 @@ void require_text(const std::string& file, std::string_view text, const std::str
 
 }  // namespace
 
-InputError::InputError(const std::string& file, Place place, const std::string& rest)
-    : std::invalid_argument(fmt::format("{}:{}:{}: {}", file, place.line, place.column, rest)) {}
-
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  std::string line;
-  while (!text.empty()) {
-    const auto [code, bytes] = first_character(text);
-    const std::size_t length = std::max<std::size_t>(bytes, 1);
-    if (line.size() + length > longest) return line + "...";
-    line += bytes > 0 && is_control(code) ? " " : text.substr(0, length);
-    text.remove_prefix(length);
-  }
-  return line;
-}
-
 const YamlNode* YamlNode::find(std::string_view key) const {
   for (std::size_t i = 0; i + 1 < items.size(); i += 2)
     if (items[i]->text == key) return items[i + 1].get();
