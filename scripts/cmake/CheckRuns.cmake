@@ -12,6 +12,7 @@ endfunction()
 make(case run damped_oscillator_undamped --solver explicit_euler --solver midpoint --step 0.05)
 # |1 + h lambda| = 1.4 for explicit Euler: an error of thousands on velocities of 9.
 make(diverged run damped_oscillator_underdamped --solver explicit_euler --solver rk4 --step 0.5)
+make(vdp run vdp_mu1000 --solver rodas5p --tol 1e-6)
 make(path run kepler_e06 --solver dormand_prince54 --tol 1e-6)
 make(why why robertson_40 --solver dormand_prince54 --tol 1e-3)
 make(advice advise lotka_volterra --error 1e-4 --library odeum,gsl --seconds 5)

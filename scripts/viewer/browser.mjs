@@ -71,7 +71,7 @@ export class Browser {
   }
 
   // Waits until an expression is true.
-  async until(expression, seconds = 20) {
+  async until(expression, seconds = 120) {
     for (const end = Date.now() + 1000 * seconds; Date.now() < end; await new Promise((resolve) => { setTimeout(resolve, 20); }))
       if (await this.run(expression)) return;
     throw new Error(`not true within ${seconds} s: ${expression}`);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// node runs.mjs <chromium> <folder>: opens the pages of single problems (folder/case, diverged, why, scene, path, types, field, fine)
+// node runs.mjs <chromium> <folder>: opens the pages of single problems (folder/case, diverged, vdp, why, scene, path, types, field, fine)
 // as a reader would, from the disk, and fails on the first thing that does not hold.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -54,6 +54,11 @@ const checks = {
     const shown = await all('tbody tr', `[0, 1, e.cells.length - 1].map((k) => e.cells[k].textContent)`);
     hold(/^wrong: the run ended ok and has diverged: an error of /.test(shown.find(([name]) => name === 'odeum/explicit_euler')[2]), String(shown));
     same(shown.find(([name]) => name === 'odeum/rk4'), ['odeum/rk4', 'ok', 'no error was promised'], 'who did not');
+  },
+  async 'a curve goes through the ends of steps: van der Pol reaches 1,333'() {
+    await open('vdp');
+    const labels = await all('[data-figure="v_over_time"] svg text', 'Number(e.textContent)');
+    hold(labels.includes(1000) && labels.includes(-1000), String(labels));
   },
   async 'a body in a plane: its path'() {
     await open('path');
