@@ -14,12 +14,10 @@ std::pair<std::string, std::string> Translation::reset(const Event& event,
   const std::string value = expression(*assignment.getMath(), event, false);
   const auto amount = amounts_.find(id);
   if (amount == amounts_.end()) return {quantity(id).name, value};
-  // The amount of a species whose symbol is a concentration, in the volume after the event.
+  // The amount of a species whose symbol is a concentration, in the volume before the event, as the
+  // SBML Test Suite has it where the event sets both.
   const std::string& in = static_cast<const Species&>(*quantity(id).element).getCompartment();
-  const EventAssignment* const other = event.getEventAssignment(in);
-  const std::string volume =
-      other && other->isSetMath() ? expression(*other->getMath(), event, false) : quantity(in).name;
-  return {amount->second, fmt::format("({})*({})", value, volume)};
+  return {amount->second, fmt::format("({})*{}", value, quantity(in).name)};
 }
 
 void Translation::write_event(const Event& event, int place) {

@@ -172,12 +172,12 @@ TEST(Sbml, AnEventBecomesOneOfTheText) {
   EXPECT_EQ(event.name, "grow");
   EXPECT_FALSE(event.initially || event.persistent || event.early);
   EXPECT_TRUE(event.priority != formula::no_node && event.delay != formula::no_node);
-  // The amount of A is its concentration after the event times the volume after it.
+  // The amount of A is its concentration after the event times the volume before it.
   std::vector<double> y(p.y0.begin(), p.y0.end());
   for (const auto& [state, id] : event.set) {
     double value = 0;
     formula::Evaluator<double>(p.graph, {id})(0, y.data(), &value);
-    EXPECT_EQ(value, p.states[state] == "cell" ? 4 : (3 + 1) * 4) << p.states[state];
+    EXPECT_EQ(value, p.states[state] == "cell" ? 4 : (3 + 1) * 2) << p.states[state];
   }
   EXPECT_EQ(event.set.size(), 2U);
 }
