@@ -73,6 +73,8 @@ class Parser : Cursor {
   bool take_sign_of_not();
 
   Id call(std::size_t where, std::string_view name);
+  /// The value of a table at an argument, as wind(t).
+  Id looked_up(std::size_t where, std::string_view name, const Table& table);
   /// a - b floor(a / b), of the sign of b.
   Id remainder(std::size_t where, Id a, Id b);
   [[noreturn]] void fail_function(std::size_t where, std::string_view name) const;

@@ -7,9 +7,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "odeum/formula/graph.hpp"
+#include "odeum/formula/table.hpp"
 
 namespace odeum::formula {
 
@@ -38,6 +40,9 @@ struct Scope {
   std::map<std::string, Array, std::less<>> arrays;
   /// Names that exist and cannot be used here: the reason, as the end of a sentence.
   std::map<std::string, std::string, std::less<>> refused;
+  std::map<std::string, Table, std::less<>> tables;  ///< functions of one argument
+  /// The times that a table has to have where it is one of the time.
+  std::optional<std::pair<long double, long double>> span;
   std::optional<std::int64_t> index;  ///< the value of i
   std::size_t repeats = 1;            ///< of the expression: this one and those for larger i
 

@@ -9,6 +9,8 @@
 namespace odeum::formula {
 
 Id Parser::call(std::size_t where, std::string_view name) {
+  if (const auto table = scope_.tables.find(name); table != scope_.tables.end())
+    return looked_up(where, name, table->second);
   const auto found = functions().find(name);
   if (found == functions().end()) fail_function(where, name);
   const Op op = found->second;
@@ -39,6 +41,25 @@ Id Parser::call(std::size_t where, std::string_view name) {
   return make(where, op, arguments[0], arguments[1], arguments[2]);
 }
 
+Id Parser::looked_up(std::size_t where, std::string_view name, const Table& table) {
+  const Within within(in_condition_, false);
+  take('(');
+  const Id at = sum();
+  if (peek() == ',') fail(where, "the number of arguments of {}; got more, expected 1", name);
+  expect(')', "an open parenthesis");
+  is_condition_ = false;
+  if (graph_[at].op == Op::time && scope_.span && !covers(table, *scope_.span))
+    fail(where,
+         "outside of the table {}; got times from {} to {}, expected those of the problem, {} to "
+         "{}, or `outside: hold` or `extrapolate`",
+         name, static_cast<double>(table.x.front()), static_cast<double>(table.x.back()),
+         static_cast<double>(scope_.span->first), static_cast<double>(scope_.span->second));
+  const Id value = value_of(graph_, table, at);
+  if (graph_.size() > most_nodes)
+    fail(where, "too large; got more than {} operations in all expressions together", most_nodes);
+  return value;
+}
+
 Id Parser::remainder(std::size_t where, Id a, Id b) {
   if (graph_.is(b, 0) && !unused_)
     fail(where, "division by zero; got 0, expected another divisor of mod(a, b)");
@@ -52,6 +73,7 @@ void Parser::fail_function(std::size_t where, std::string_view name) const {
   std::vector<std::string> known;
   for (const auto& [each, op] : functions()) known.push_back(each);
   known.emplace_back("sum");
+  for (const auto& [each, table] : scope_.tables) known.push_back(each);
   fail(where, "no such function; got {}, expected one of sin cos tan exp log sqrt ...{}",
        shown(name), near_one(name, known));
 }

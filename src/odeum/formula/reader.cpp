@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view known_keys[] = {
     "name",     "parameters", "definitions", "states",    "equations",    "boundaries", "time",
     "exact",    "invariants", "scale",       "tolerance", "mass",         "residuals",  "rates",
-    "implicit", "case",       "cases",       "reactions", "compartments", "outputs",    "events"};
+    "implicit", "case",       "cases",       "reactions", "compartments", "outputs",    "events", "tables", "inputs"};
 
 }  // namespace
 
@@ -32,12 +32,15 @@ Problem Reader::read() {
   if (const Item* const name = section("name")) problem_.name = scalar(*name->value, "name");
   constants_.refused["t"] = "a constant";
   read_parameters();
+  read_tables();
   read_compartments();
   read_states();
   read_time();
   Scope all = constants_;
   all.refused.clear();
+  all.span = {problem_.t0, problem_.stops.back()};
   add_states(all);
+  read_inputs(all);
   read_definitions(all);
   read_boundaries(all);
   if (section("residuals"))

@@ -117,6 +117,12 @@ class Reader : Source {
   void read_time();
   void read_stops(const YamlNode& list, double first, double last);
   void read_definitions(Scope& scope);
+  /// Functions that are given by values, and quantities that the time alone decides:
+  /// reader_tables.cpp.
+  void read_tables();
+  Table read_table(const YamlNode& node, const std::string& path);
+  void read_points(const YamlNode& list, const std::string& path, Table& table);
+  void read_inputs(Scope& scope);
 
   void add_state(const Item& item, const std::string& name);
   /// A state that is the rate of another one, in residuals of higher order.
