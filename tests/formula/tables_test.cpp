@@ -92,7 +92,7 @@ TEST(Tables, ThoseThatAreNotSoundAreRefusedWithTheirPlace) {
       {"tables: {w: {file: back.csv, columns: [time, v]}}", at + "back.csv:1:1: no such column"},
       {"tables: {w: {}}", at + "t.yaml:4:13: tables: w: got neither file nor points"},
       {"tables: {w: {points: [[0, 1], [3, 1]]}}",
-       at + "t.yaml:2:16: equations: x: outside of the table w; got times from 0 to 3, expected"},
+       at + "t.yaml:2:17: equations: x: outside of the table w; got times from 0 to 3, expected"},
       {"tables: {w: {points: [[0, 1], [4, 1]], between: spline}}",
        at + "t.yaml:4:49: tables: w: between: got spline, expected one of linear"},
       {"tables: {w: {points: [[0, 1], [4, 1]]}}\ninputs: {u: 1}",
