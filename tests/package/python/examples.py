@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the examples of the Python package, and tests what it translates, from an installed package alone.
     examples.py PREFIX EXAMPLES"""
-import math, os, pathlib, subprocess, sys
+import json, math, os, pathlib, subprocess, sys
 
 prefix, examples = map(pathlib.Path, sys.argv[1:3])
 try:
@@ -55,6 +55,16 @@ try:
     raise AssertionError("not refused: no_such_case")
 except odeum.OdeumError as why:
     assert "no_such_case" in str(why), why
+
+# SciPy's solvers as a plug-in: RK45 is the pair of Dormand and Prince, with the same errors to a percent.
+if (plugin := prefix / "lib/odeum/libodeum_scipy.so").exists():
+    solvers = ["scipy/rk45", "dormand_prince54", "scipy/rk23", "scipy/dop853", "scipy/radau", "scipy/bdf", "scipy/lsoda", "scipy/odeint"]
+    command = [os.environ["ODEUM_PROGRAM"], "run", "kepler_e06", "--plugin", plugin, "--tol", "1e-6", "--format", "json"]
+    answer = json.loads(subprocess.run(command + [word for each in solvers for word in ("--solver", each)], check=True,
+                                       capture_output=True, text=True).stdout)["runs"]
+    assert [row["status"] for row in answer] == ["ok"] * len(solvers), answer
+    assert abs(answer[0]["error_max"] / answer[1]["error_max"] - 1) < 0.01, answer[:2]
+    assert all(row["error_max"] < 1e-2 and row["rhs_evaluations"] > 50 for row in answer), answer
 
 for example in sorted(examples.glob("*.py")):
     done = subprocess.run([sys.executable, example], capture_output=True, text=True)
