@@ -86,7 +86,7 @@ TEST(PatternLu, RefusesWhatIsSingularOrNotFinite) {
   EXPECT_TRUE(lu.factorise({0, 1, 1, 0}, 0.5));
 }
 
-// Of more unknowns the truth has factors, in extended precision.
+// The truth has factors of more unknowns, in extended precision.
 TEST(PatternLu, SolvesForManyUnknownsAndRefusesTooManyMultiplications) {
   Random random;
   for (const int n : {300, 1500}) {

@@ -171,8 +171,8 @@ bool EventCourse<Real>::carry_out(Real t, State& y) {
     done_.push_back({pending_[k].event, before, y});
     stopped_ = stopped_ || rules_->events[pending_[k].event].stop;
   }
-  for (auto k = group.rbegin(); k != group.rend(); ++k)
-    pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(*k));
+  for (std::size_t k = group.size(); k-- > 0;)
+    pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(group[k]));
   rules_->functions(t, y.data(), new_values.data());
   for (std::size_t k = 0; k < seen; ++k)
     if (!(new_values[k] == old_values[k])) {
