@@ -84,6 +84,9 @@ inline Request made_request(const MadeFailure& made, const Case& c) {
   return request;
 }
 
+std::vector<MadeFailure> brought_failures();
+std::vector<MadeFailure> failures_of_two_causes();
+/// All failures: the ones above, and the ones with one cause.
 const std::vector<MadeFailure>& made_failures();
 
 }  // namespace odeum::tests

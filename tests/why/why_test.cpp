@@ -50,7 +50,7 @@ TEST(Why, SaysTheCausesOfMadeFailures) {
     EXPECT_EQ(fault.find("is not so"), std::string::npos) << fault;
   }
   EXPECT_GE(tests::made_failures().size(), 40U);
-  EXPECT_GE(composed, tests::made_failures().size() / 4);
+  EXPECT_GE(10 * composed, 3 * tests::made_failures().size());
   EXPECT_GE(10 * right, 9 * tests::made_failures().size()) << faults;
 }
 
@@ -96,8 +96,9 @@ TEST(Why, TheRunThatItNamesIsBetter) {
         << text_of(why, c, {made.name, ""});
   }
   EXPECT_GE(named, 5);
-  // A solution that sticks and slips ten times: two families agree to 1e-3 only.
-  EXPECT_LE(unnamed, 1);
+  // A solution that sticks and slips ten times, of which two families agree to 1e-3 only, and one
+  // that slides, of which no other run is cheaper.
+  EXPECT_LE(unnamed, 2);
 }
 
 /// What it says as a user runs it, and what its command gives.

@@ -230,7 +230,13 @@ void sample(Inquiry& q, const Run& along, double h) {
 void compare_samples(Inquiry& q) {
   // Where both have parted, their steps at one time are those of different states.
   constexpr double parted = 5 * far_off;
-  q.parted = q.looser && q.looser->ok() && q.run.ok() && !(q.apart(*q.looser, q.run) <= parted);
+  q.parted = false;
+  for (std::size_t i = 0; q.looser && q.looser->ok() && q.run.ok() && i < q.sizes.size(); ++i) {
+    // A component below its absolute tolerance has the size that steps give it.
+    const double size = q.sizes[i], apart = std::abs(q.looser->end()[i] - q.run.end()[i]);
+    const bool held = q.adaptive() && size > q.looser->request.tolerance.absolute(i);
+    q.parted = q.parted || (held && !(apart <= parted * size));
+  }
   for (Sample& s : q.samples) {
     s.rate = rate_at(q, s.at);
     if (!q.looser || !(s.at.t < q.looser->ends.back())) continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "odeum/why/inquiry.hpp"
 #include "odeum/why/path.hpp"
@@ -22,18 +23,23 @@ double blown_up(const Inquiry& q) {
   return q.run.ok() ? most : infinity;
 }
 
-/// Whether a step inside the edge makes it good: a run with one, unless that takes too many.
-bool steps_inside_help(Inquiry& q) {
+/// The row of a run with steps inside of the edge, unless that takes too many.
+std::optional<std::size_t> run_inside(Inquiry& q) {
   double used = 0;
   for (const Sample& s : q.samples)
     if (s.used < infinity) used = std::max(used, s.used);
   constexpr double most_steps_made = 5e6;
   const double steps = std::ceil(static_cast<double>(q.run.request.steps) * used * 1.05);
-  if (!(used > 1) || steps > most_steps_made) return true;
+  if (!(used > 1) || steps > most_steps_made) return {};
   Request request = q.run.request;
   request.steps = static_cast<std::uint64_t>(steps);
-  const std::size_t k = q.also(q.why.solver, request, 0.3);
-  const Run& inside = q.others[k];
+  return q.also(q.why.solver, request, 0.3);
+}
+
+/// Whether steps inside of the edge make it good.
+bool steps_inside_help(const Inquiry& q, const std::optional<std::size_t>& row) {
+  if (!row) return true;
+  const Run& inside = q.others[*row];
   // Too long a run has at least come past where this one ended.
   if (inside.outcome.status == Status::over_budget)
     return !q.run.ok() && inside.ends.back() > q.run.ends.back();
@@ -69,6 +75,26 @@ void look_at_edge(Inquiry& q) {
 }
 
 namespace {
+
+/// Whether steps inside of the edge of what decays are still too coarse for the rest of the motion.
+void look_inside_the_edge(Inquiry& q, const std::size_t row) {
+  const double off = q.difference(q.others[row]);
+  const bool decays = std::ranges::any_of(q.samples, [](const Sample& s) {
+    return s.used > 1 && std::abs(s.binding.real()) > 0.5 * std::abs(s.binding);
+  });
+  if (!q.found(Cause::stability) || !decays || q.found(Cause::energy) || q.found(Cause::aliasing) ||
+      !(off > far_off && off < infinity))
+    return;
+  constexpr std::uint64_t times = 4;
+  Request finer = q.others[row].request;
+  finer.steps *= times;
+  const double there = q.difference(q.others[q.also(q.why.solver, finer, 0.3)]);
+  if (!(there < 0.5 * off)) return;
+  q.add(Cause::too_coarse, nan, q.c.t0,
+        fmt::format("inside of the edge the steps are still too coarse for the rest: {} of them "
+                    "end {:.2g} of the solution's size away, {} times as many {:.2g}",
+                    finer.steps / times, off, times, there));
+}
 
 /// Whether the method multiplies what decays by more than 1, and far enough to explain the error.
 bool feeds_what_decays(const Inquiry& q, double off) {
@@ -171,7 +197,7 @@ void look_at_fixed_step(Inquiry& q) {
     // Steps beyond the edge need not blow up where f bends back; a small error may be theirs, or
     // that of a kink.
     if (off > std::max(usual_tolerance, 10 * q.known->doubt)) {
-      if (steps_inside_help(q)) look_at_edge(q);
+      if (steps_inside_help(q, run_inside(q))) look_at_edge(q);
       if (q.why.findings.empty()) look_for_lost_order(q);
     }
     if (q.why.findings.empty()) look_for_fineness(q);
@@ -182,7 +208,9 @@ void look_at_fixed_step(Inquiry& q) {
   if (q.found(Cause::pulse)) look_for_fineness(q);
   if (std::isnan(off)) return look_at_amplification(q);
   look_at_energy(q, step, off);
-  if (size < 3 ? feeds_what_decays(q, off) : steps_inside_help(q)) look_at_edge(q);
+  const auto inside = size < 3 ? std::nullopt : run_inside(q);
+  if (size < 3 ? feeds_what_decays(q, off) : steps_inside_help(q, inside)) look_at_edge(q);
+  if (inside) look_inside_the_edge(q, *inside);
   if (q.run.outcome.status == Status::newton_failed)
     q.add(Cause::newton, nan, q.run.ends.back(),
           fmt::format("the equations of a step of {:.3g} are not solved at t = {:.6g}", step,

@@ -258,12 +258,12 @@ void look_for_unseen(Inquiry& q) {
   const Inside inside = look_into_steps(q, q.run, along.moments);
   // Equal steps as long as the period have two turns each, one of them at an end.
   constexpr double least_part = 0.25, nearly_two = 1.8;
-  // Steps beyond the edge of the region make the motion that turns, where they lead.
-  const bool beyond =
-      !q.adaptive() && !q.trusted && std::ranges::any_of(q.samples, [](const Sample& s) {
-        return s.used > 1 && s.used < infinity;
-      });
-  if (beyond) return;
+  // Steps beyond the edge of the region make the motion that turns, where they lead; what decays
+  // at once after a change is not a pulse.
+  const bool beyond = !q.adaptive() && std::ranges::any_of(q.samples, [](const Sample& s) {
+    return s.used > 1 && s.used < infinity;
+  });
+  if (beyond && !q.trusted) return;
   if (inside.aliased > least_part * (q.run.ends.back() - q.c.t0) || inside.turns > nearly_two) {
     q.period = inside.period;
     q.add(Cause::aliasing, nan, inside.since,
@@ -272,7 +272,7 @@ void look_for_unseen(Inquiry& q) {
                       "a step do not show it",
                       q.names[inside.component], q.run.step_at(inside.since), inside.since,
                       inside.period));
-  } else if (inside.pulse) {
+  } else if (inside.pulse && !beyond) {
     add_pulse(q, *inside.pulse);
   }
 }
