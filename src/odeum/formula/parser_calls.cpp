@@ -54,7 +54,7 @@ Id Parser::looked_up(std::size_t where, std::string_view name, const Table& tabl
          "{}, or `outside: hold` or `extrapolate`",
          name, static_cast<double>(table.x.front()), static_cast<double>(table.x.back()),
          static_cast<double>(scope_.span->first), static_cast<double>(scope_.span->second));
-  const Id value = value_of(graph_, table, at);
+  const Id value = value_at(graph_, table, at);
   if (graph_.size() > most_nodes)
     fail(where, "too large; got more than {} operations in all expressions together", most_nodes);
   return value;

@@ -220,7 +220,7 @@ void Reader::read_inputs(Scope& scope) {
              "problem, {} to {}, or `outside: hold` or `extrapolate`",
              item.key, static_cast<double>(table.x.front()), static_cast<double>(table.x.back()),
              static_cast<double>(span.first), static_cast<double>(span.second));
-      value = value_of(problem_.graph, table, problem_.graph.time());
+      value = value_at(problem_.graph, table, problem_.graph.time());
     } else {
       Scope of_time = constants_;
       of_time.refused.clear();

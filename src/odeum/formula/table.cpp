@@ -46,7 +46,7 @@ std::vector<std::array<Real, 4>> pieces(const Table& table) {
 
 }  // namespace
 
-Id value_of(Graph& graph, const Table& table, Id at) {
+Id value_at(Graph& graph, const Table& table, Id at) {
   std::vector<std::array<Real, 4>> all = pieces(table);
   std::vector<Real> from(table.x.begin(), table.x.end() - 1);
   std::vector<Real> bounds(table.x.begin() + 1, table.x.end() - 1);  // between pieces

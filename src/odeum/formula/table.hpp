@@ -26,6 +26,6 @@ inline bool covers(const Table& table, std::pair<long double, long double> span)
 /// The value of a table at an expression: between its points a line, the natural cubic spline, or
 /// the value at the point before; outside of them no value (not a number), that at the end, or what
 /// holds in the last interval. Each point is a comparison, so that a run knows its kink.
-Id value_of(Graph& graph, const Table& table, Id at);
+Id value_at(Graph& graph, const Table& table, Id at);
 
 }  // namespace odeum::formula
