@@ -190,6 +190,27 @@ TEST(EventConditions, TruthsHaveThemToo) {
   }
 }
 
+// Case 00754 of the SBML test suite: the event makes its own threshold an equilibrium, about which
+// rounding moves the state. It happened at each turn, half a million times in ten units of time.
+TEST(EventConditions, AStateThatRestsOnItsThresholdCallsNoMore) {
+  const Hybrid text(R"text(
+parameters: {k1: 0.75, k2: 0.25}
+states: {A: 1, B: 2, C: 1}
+equations: {A: -k1*A*B + k2*C, B: -k1*A*B + k2*C, C: k1*A*B - k2*C}
+time: {end: 10}
+events:
+  - {when: A < 0.5, set: {B: 1}}
+)text");
+  for (const char* solver : {"odeum/rodas4", "odeum/dormand_prince54", "odeum/radau_iia5"}) {
+    const Outcome outcome = text.run(solver, 0);
+    ASSERT_EQ(outcome.status, Status::ok) << solver << ' ' << outcome.detail;
+    EXPECT_EQ(outcome.events.size(), 1U) << solver;
+    // The states at the event, to the tolerance times the steps to it.
+    const std::vector<double> last(outcome.states.end() - 3, outcome.states.end());
+    expect_states(last, {0.5, 1, 1.5}, 1e-8);
+  }
+}
+
 TEST(EventConditions, ThoseThatCallOneAnotherWithoutEndEndARun) {
   const Hybrid text(R"text(
 states: {x: 0, a: 0}

@@ -158,6 +158,7 @@ class ZeroSearch {
     fresh_ = true;
     flat_ = false;
     side_known_ = at_zero;
+    rest_ = 0;
   }
   /// The run begins beside a zero on a known side, 1 or -1: to leave it for the other is a zero.
   void begin_beside(int side) {
@@ -165,10 +166,19 @@ class ZeroSearch {
     before_ = side;
   }
 
+  /// The function rests at its zero while it is no larger than this, which is what rounding makes
+  /// of it: no zero of it is one.
+  void rest_within(double size) { rest_ = size; }
+
   /// The zeros of g in (a, b], where its values at the ends are ga and gb: found(Zero) of each in
   /// its order, until that returns true. g may return NaN where it has no value. Does not allocate.
   template <class G, class Found>
   bool operator()(G&& g, double a, double ga, double b, double gb, Found&& found) {
+    if (rest_ > 0) {
+      const double largest = std::max({std::abs(ga), std::abs(g(a + (b - a) / 2)), std::abs(gb)});
+      if (largest <= rest_) return false;
+      rest_ = 0;
+    }
     const bool unknown = fresh_ && !side_known_;
     if (unknown) before_ = ga;
     const double none_until = unknown ? a + 64 * std::numeric_limits<double>::epsilon() *
@@ -254,6 +264,7 @@ class ZeroSearch {
   double before_ = 0;  ///< the last value that is not zero to within rounding, or 0
   double flat_from_ = 0, flat_value_ = 0, flat_to_ = 0;
   bool side_known_ = false, fresh_ = true, flat_ = false;
+  double rest_ = 0;  ///< see rest_within
 };
 
 }  // namespace odeum

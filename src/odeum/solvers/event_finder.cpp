@@ -24,6 +24,7 @@ EventFinder::EventFinder(const Events& events, std::size_t states)
       senses_(events.senses.size(), 0) {}
 
 void EventFinder::begin(const Found& happened, const EventCourse& course) {
+  rests_known_ = false;
   for (std::size_t k = events_.of_events; k < searches_.size(); ++k) {
     const int side = course.side(k);
     side == 0 ? searches_[k].begin(true) : searches_[k].begin_beside(side);
@@ -57,12 +58,34 @@ double EventFinder::value(std::size_t function, double t, const StateAt& state) 
   return values_[function];
 }
 
+void EventFinder::find_rests(double t, const StateAt& state) {
+  rests_known_ = true;
+  if (!state(t, y_.data())) return;
+  constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
+  std::vector<double> at(values_.size()), moved(values_.size(), 0);
+  events_.functions(t, y_.data(), at.data());
+  const auto add = [&](double when) {
+    events_.functions(when, y_.data(), values_.data());
+    for (std::size_t k = 0; k < at.size(); ++k) moved[k] += std::abs(values_[k] - at[k]);
+  };
+  add(t * (1 + roundings));
+  for (double& each : y_) {
+    const double kept = each;
+    each *= 1 + roundings;
+    if (each != kept) add(t);
+    each = kept;
+  }
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (std::abs(at[k]) <= moved[k]) searches_[k].rest_within(moved[k]);
+}
+
 EventFinder::Found EventFinder::look(double a, double b, const StateAt& state) {
   struct Crossing {
     double t;
     std::size_t function;
     int sense;
   };
+  if (!rests_known_) find_rests(a, state);
   std::vector<Crossing> all;
   Found first;
   first.t = std::numeric_limits<double>::infinity();

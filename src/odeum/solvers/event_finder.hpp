@@ -31,16 +31,23 @@ class EventFinder {
   Found look(double a, double b, const StateAt& state);
   /// What it has learnt of the steps up to now, to come back to.
   std::vector<ZeroSearch> searches() const { return searches_; }
-  void restore(std::vector<ZeroSearch> searches) { searches_ = std::move(searches); }
+  void restore(std::vector<ZeroSearch> searches) {
+    searches_ = std::move(searches);
+    rests_known_ = false;
+  }
 
  private:
   double value(std::size_t function, double t, const StateAt& state);
+  /// Functions that are zero at t but for the rounding of the state and of the time rest there, as
+  /// after an event that makes the threshold itself an equilibrium.
+  void find_rests(double t, const StateAt& state);
 
   const Events& events_;
   std::vector<double> y_, values_;
   std::vector<ZeroSearch> searches_;
   std::vector<int> senses_;  ///< by function: in which it crossed zero with the events found last
   Found before_;             ///< what happened before that
+  bool rests_known_ = false;
 };
 
 /// The states of a step by the polynomial through those at its nine nodes (zero_nodes).
