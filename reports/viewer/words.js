@@ -249,7 +249,7 @@
   };
 
   Object.assign(odeum, {
-    sameError, settingText, statusText, missingNote, commandOf, whyNotReached, workText, leadOf, moreText,
-    stableText, disturbedText, notDrawnText, notKeptText, solutionText, failureText,
+    sameError, settingText, statusText, missingNote, commandOf, whyNotReached, workText, leadOf,
+    moreText, stableText, disturbedText, notDrawnText, notKeptText, solutionText, failureText,
   });
 })();

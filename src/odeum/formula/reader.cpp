@@ -13,9 +13,10 @@ namespace {
 
 // `case` and `cases` are read by CaseSection.
 constexpr std::string_view known_keys[] = {
-    "name",     "parameters", "definitions", "states",    "equations",    "boundaries", "time",
-    "exact",    "invariants", "scale",       "tolerance", "mass",         "residuals",  "rates",
-    "implicit", "case",       "cases",       "reactions", "compartments", "outputs",    "events", "tables", "inputs"};
+    "name",         "parameters", "definitions", "states", "equations", "boundaries",
+    "time",         "exact",      "invariants",  "scale",  "tolerance", "mass",
+    "residuals",    "rates",      "implicit",    "case",   "cases",     "reactions",
+    "compartments", "outputs",    "events",      "tables", "inputs"};
 
 }  // namespace
 

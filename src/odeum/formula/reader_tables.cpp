@@ -81,8 +81,9 @@ class Csv {
     for (const std::string& name : wanted) {
       const auto found = std::ranges::find(names, name);
       if (found == names.end())
-        fail(line, fmt::format("no such column; got {}, expected one of the file's{}", shown(name),
-                               near_one(name, std::vector<std::string>(names.begin(), names.end()))));
+        fail(line,
+             fmt::format("no such column; got {}, expected one of the file's{}", shown(name),
+                         near_one(name, std::vector<std::string>(names.begin(), names.end()))));
       all.push_back(static_cast<std::size_t>(found - names.begin()));
     }
     return all;
@@ -142,7 +143,7 @@ Table Reader::read_table(const YamlNode& node, const std::string& path) {
                   : outside == "hold" ? Table::Outside::hold
                                       : Table::Outside::extrapolate;
   const Item *const file = find("file"), *const points = find("points"),
-             *const columns = find("columns");
+                    *const columns = find("columns");
   if (!file == !points)
     fail(node.place, "{}: got {}, expected `file: table.csv` or `points: [[0, 1], [1, 2]]`", path,
          file ? "both file and points" : "neither file nor points");
@@ -157,7 +158,8 @@ Table Reader::read_table(const YamlNode& node, const std::string& path) {
         fail(columns->value->place, "{}: columns: got {}, expected two, [time, value]", path,
              wanted.size());
     }
-    Csv(name.string(), read_text_file(name.string(), "table", most_table_bytes)).read(wanted, table);
+    Csv(name.string(), read_text_file(name.string(), "table", most_table_bytes))
+        .read(wanted, table);
   } else {
     read_points(*points->value, path + ": points", table);
   }

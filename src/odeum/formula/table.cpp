@@ -30,9 +30,8 @@ std::vector<Real> second_derivatives(const Table& table) {
 std::vector<std::array<Real, 4>> pieces(const Table& table) {
   const std::size_t n = table.x.size();
   std::vector<std::array<Real, 4>> all(n - 1);
-  const std::vector<Real> m = table.between == Table::Between::cubic
-                                  ? second_derivatives(table)
-                                  : std::vector<Real>(n, 0);
+  const std::vector<Real> m =
+      table.between == Table::Between::cubic ? second_derivatives(table) : std::vector<Real>(n, 0);
   for (std::size_t k = 0; k + 1 < n; ++k) {
     const Real h = table.x[k + 1] - table.x[k], slope = (table.y[k + 1] - table.y[k]) / h;
     all[k] = {table.y[k], 0, 0, 0};
