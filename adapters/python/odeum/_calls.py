@@ -18,8 +18,9 @@ Stated = Union[str, "os.PathLike[str]", Problem, Callable]
 
 
 def rows_of(records: Sequence[Mapping[str, Any]]) -> np.ndarray:
-    """Rows as a structured array: texts as texts, all else as float, of which what is not known is nan."""
-    names = list(dict.fromkeys(name for row in records for name in row))
+    """Rows as a structured array: texts as texts, all else as float, of which what is not known is nan. What is no single value is
+    left out."""
+    names = list(dict.fromkeys(name for row in records for name, value in row.items() if not isinstance(value, (list, dict))))
     columns, types = [], []
     for name in names:
         values = [row.get(name) for row in records]
@@ -75,8 +76,10 @@ def replaced(parameters: Mapping[str, float] | None) -> list[str]:
 
 @dataclass(frozen=True)
 class Runs:
-    """Runs of solvers: a row each (status, error, evaluations, ...), and the states over time where `every` was given."""
+    """Runs of solvers: a row each (status, error, evaluations, ...), the states of each at its outputs (time and components), and
+    those of all with the truth's where `every` was given."""
     rows: np.ndarray
+    states: Sequence[np.ndarray]
     trajectory: np.ndarray | None = None
 
 
@@ -91,11 +94,12 @@ def run(problem: Stated, y0=None, span=None, *, solver: str | Sequence[str], ste
             words += ["--until", repr(float(until))]
         if every is not None:
             words += ["--every", repr(float(every)), "--out", str(folder / "out")]
-        rows = rows_of(said(*words)["runs"])
+        runs = said(*words)["runs"]
         trajectory = None
         if every is not None:
             trajectory = np.genfromtxt(folder / "out" / "trajectory.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
-        return Runs(rows, trajectory)
+        states = [rows_of([{"time": state["time"], **state["y"]} for state in run.get("states", [])]) for run in runs]
+        return Runs(rows_of(runs), states, trajectory)
 
 
 @dataclass(frozen=True)

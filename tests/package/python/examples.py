@@ -42,6 +42,7 @@ end = ours.trajectory[(ours.trajectory["solver"] == "dormand_prince853") & (ours
 assert ours.rows["status"][0] == "ok" and ours.rows.dtype.names
 # Both runs are at 1e-12 over one unit of time.
 assert abs(end["y0"] - theirs[0]) < 1e-10 and abs(end["y1"] - theirs[1]) < 1e-10, (end, theirs)
+assert ours.states[0]["time"][-1] == 1 and ours.states[0]["y1"][-1] == end["y1"], ours.states
 
 calls = iter(range(10**6))
 refused(lambda t, y: [1.0 if y[0] > 0 else 2.0, 0.0], "numpy.where")
