@@ -104,6 +104,21 @@ TEST(OneVerdictOfWhy, IsThatOfTheRun) {
   EXPECT_NE(tests::text_of(folder.path() / "out/steps.csv").find(",adams,"), std::string::npos);
 }
 
+// Of springs at their rest lengths rounding alone makes 1e-27 J, which is no growth from nothing.
+TEST(OneVerdictOfScenes, EnergyOfRoundingIsNotABlowUp) {
+  const TemporaryFolder folder;
+  tests::write_text(
+      folder.path() / "square.yaml",
+      "duration: 1\ngravity: 0\nsolver: {type: implicit_euler_linearised, timestep: 0.004}\n"
+      "cloth:\n  - {rows: 5, columns: 5, origin: [0, 0, 0], row_edge: [1, 0, 0], "
+      "column_edge: [0, 1, 0], mass: 1000, structural: {stiffness: 1e5, damping: 0}, "
+      "shear: {stiffness: 1e5, damping: 0}}\n");
+  const Result result = shell("odeum run '" + (folder.path() / "square.yaml").string() +
+                              "' --solver rk4 --step 0.001 --no-truth");
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_EQ(result.output.find("blown up"), std::string::npos) << result.output;
+}
+
 // A command that a remark gives does what the remark says.
 TEST(Remarks, GiveACommandThatControlsTheError) {
   const std::string run = "odeum run robertson_40 --solver rodas4 ";

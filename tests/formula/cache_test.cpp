@@ -203,7 +203,8 @@ TEST_F(Cache, ACompilerEndsWithTheProgram) {
   const tests::Result result =
       tests::shell("(" + command("CC='" + (folder_.path() / "cc").string() + "'") +
                    ") & program=$!; n=0; " + "while [ ! -s '" + alive +
-                   "' ] && [ $n -lt 5000 ]; do sleep 0.02; n=$((n+1)); done; kill -9 $program");
+                   "' ] && [ $n -lt 5000 ]; do sleep 0.02; n=$((n+1)); done; kill -9 $program; "
+                   "wait $program; true");
   ASSERT_TRUE(fs::exists(alive)) << result.output;
   bool stands_still = false;
   for (int tries = 0; tries < 200 && !stands_still; ++tries) {
