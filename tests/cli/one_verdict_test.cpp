@@ -104,7 +104,7 @@ TEST(OneVerdictOfWhy, IsThatOfTheRun) {
   EXPECT_NE(tests::text_of(folder.path() / "out/steps.csv").find(",adams,"), std::string::npos);
 }
 
-// Of springs at their rest lengths rounding alone makes 1e-27 J, which is no growth from nothing.
+// Springs at their rest lengths have 1e-27 J by rounding alone, which was called a blow-up.
 TEST(OneVerdictOfScenes, EnergyOfRoundingIsNotABlowUp) {
   const TemporaryFolder folder;
   tests::write_text(

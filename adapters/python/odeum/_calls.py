@@ -18,7 +18,7 @@ Stated = Union[str, "os.PathLike[str]", Problem, Callable]
 
 
 def rows_of(records: Sequence[Mapping[str, Any]]) -> np.ndarray:
-    """Rows as a structured array: texts as texts, all else as float, of which what is not known is nan. What is no single value is
+    """Rows as a structured array: texts as texts, all else as float, of which what is not known is nan. Lists are
     left out."""
     names = list(dict.fromkeys(name for row in records for name, value in row.items() if not isinstance(value, (list, dict))))
     columns, types = [], []

@@ -61,7 +61,7 @@ double EventFinder::value(std::size_t function, double t, const StateAt& state) 
 void EventFinder::find_rests(double t, const StateAt& state) {
   rests_known_ = true;
   if (!state(t, y_.data())) return;
-  // Those of the steps that follow add up.
+  // Roundings of the steps that follow add up.
   constexpr double roundings = 1024 * std::numeric_limits<double>::epsilon();
   std::vector<double> at(values_.size()), moved(values_.size(), 0);
   events_.functions(t, y_.data(), at.data());
