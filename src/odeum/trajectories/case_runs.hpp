@@ -60,7 +60,7 @@ record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs);
 
 /// For pictures: states at the ends of steps, which lie where the solution moves fast and outputs
 /// step over it, of another run that stops there; with the columns of case_schemes and the energy.
-/// Of many steps some, evenly. Nothing of a run whose outputs are the ends of its steps.
+/// Many steps are thinned out evenly. A run whose outputs are the ends of its steps has no rows.
 record::Records case_curves(const Case& c, const std::vector<CaseRun>& runs);
 
 /// The scheme's own closed form at the outputs of each run that has one: case, library, solver,
