@@ -31,7 +31,13 @@ TEST(EventReader, ThoseThatAreNotSoundAreRefusedWithTheirPlace) {
       {"- {when: x, set: {x: q}}", "6:24: events[1]: set: x: unknown name; got q"},
       {"- {when: x, sat: {x: 1}}", "6:15: events[1].sat: an unknown key"},
       {"- {when: x, set: {x: 1}}\nexact: {x: exp(-t)}", "7:1: exact: got this beside events"},
-      {"- {when: x, order: 1.5, set: {x: 1}}", "6:22: events[1]: order: got 1.5"}};
+      {"- {when: x, order: 1.5, set: {x: 1}}", "6:22: events[1]: order: got 1.5"},
+      {"- {when: x > 1, rising: true, set: {x: 1}}", "6:19: events[1]: rising: got one beside a c"},
+      {"- {when: x, initially: false, set: {x: 1}}", "6:15: events[1]: initially: got one beside"},
+      {"- {when: 2 > 1, set: {x: 1}}", "6:12: events[1]: when: got a constant"},
+      {"- {at: 1, delay: 0 - 1, set: {x: 1}}", "6:20: events[1]: delay: got -1"},
+      {"- {at: 1, early: 1, set: {x: 1}}", "6:20: events[1]: early: got 1"},
+      {"- {when: log(x - 5) > 1, set: {x: 1}}", "6:3: events: a comparison of a condition is not"}};
   for (const auto& [event, message] : bad) {
     const std::string text = fmt::format(
         "# events\nstates: {{x: 1}}\nequations: {{x: -x}}\ntime: {{end: 3}}\nevents:\n  {}\n",

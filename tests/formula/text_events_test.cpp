@@ -5,43 +5,11 @@
 
 #include <cmath>
 
-#include "odeum/cases/set_problem.hpp"
-#include "odeum/cases/text_events.hpp"
 #include "odeum/cases/text_truth.hpp"
-#include "odeum/formula/text_ode.hpp"
+#include "support/hybrid_text.hpp"
 
 namespace odeum::tests::text_events_test {
 namespace {
-
-using formula::TextOde;
-
-struct HybridText {
-  explicit HybridText(const std::string& text)
-      : problem(formula::read_problem("events.yaml", text)),
-        ode(std::make_shared<TextOde>(problem, TextOde::Code::interpreted)),
-        contest{ode->view(), ode, static_cast<double>(problem.t0),
-                std::make_shared<const std::vector<double>>(problem.y0.begin(), problem.y0.end()),
-                nullptr} {
-    contest.events = cases::events_of(problem);
-  }
-  Outcome run(const std::string& solver, double tolerance) const {
-    Request request;
-    request.mode = Mode::adaptive;
-    request.tolerance = tolerance;
-    request.stops = problem.stops;
-    return cases::enroll(contest).find(solver)->solve(request);
-  }
-  Outcome run_fixed(const std::string& solver, std::uint64_t steps) const {
-    Request request;
-    request.steps = steps;
-    request.stops = problem.stops;
-    return cases::enroll(contest).find(solver)->solve(request);
-  }
-
-  formula::Problem problem;
-  std::shared_ptr<TextOde> ode;
-  ErasedContest contest;
-};
 
 const char* const ball = R"text(
 parameters: {g: 10, r: 0.7}
