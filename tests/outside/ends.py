@@ -219,4 +219,5 @@ def main():
                 out.writerows(rows[each])
 
 
-main()
+if __name__ == "__main__":
+    main()
