@@ -210,12 +210,13 @@
   const plot = (host, spec) => {
     const width = Math.max(240, spec.width || host.clientWidth || 640), height = spec.height || 400;
     const named = spec.curves.filter((curve) => curve.name && !curve.nameless);
-    // A name is whole, or without its library, which the colour tells; where that has no room
-    // either, a legend has all of them.
+    // A name is whole, or without its library, which the colour tells, where the methods differ;
+    // where that has no room either, a legend has all of them.
     const longest = (names) => (d3.max(names, (name) => name.length) || 0) * 6.4 + 14;
-    const texts = [
-      named.map((curve) => curve.name), named.map((curve) => shortName(curve.name)),
-    ].find((names) => longest(names) <= width * 0.36);
+    const whole = named.map((curve) => curve.name), short = whole.map(shortName);
+    const texts = [whole, ...(new Set(short).size === short.length ? [short] : [])].find(
+      (names) => longest(names) <= width * 0.36,
+    );
     const room = width < 520 || spec.nameless || !texts ? 0 : longest(texts);
     const size = { left: 58, right: width - room - 12, top: 10, bottom: height - 42 };
     const x = makeAxis(spec.x, size.left, size.right), y = makeAxis(spec.y, size.bottom, size.top);

@@ -77,6 +77,12 @@ TEST_F(ProblemCommands, OfSeveralCasesOneIsChosen) {
   expect("run kepler_e06 --case kepler_e06 --solver rk4 --step 0.01", 2, "expected no --case");
 }
 
+// Keys that are spelt wrongly were taken for a scene's.
+TEST_F(ProblemCommands, AMisspeltKeyIsOneOfAProblem) {
+  write("near.yaml", "state: {x: 1}\nequation: {x: -x}\ntime: {end: 1}\n");
+  expect("run near.yaml --solver rk4 --step 0.1", 2, "did you mean states?");
+}
+
 // The truth was computed when the problem was loaded, asked for or not.
 TEST_F(ProblemCommands, WithoutATruthNoneIsComputed) {
   write_own("kepler.yaml");

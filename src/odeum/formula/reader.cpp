@@ -194,8 +194,10 @@ bool looks_like_problem(const std::string& file, const std::string& text) {
   try {
     const Source source(file, text);
     const std::vector<Item> all = source.items(source.root(), "problem");
-    return std::ranges::any_of(
-        all, [](const Item& item) { return item.key == "equations" || item.key == "states"; });
+    // A key that is spelt wrongly is one too: the error is then about keys of problems.
+    return std::ranges::any_of(all, [](const Item& item) {
+      return !near_one(item.key, {"equations", "residuals", "states", "reactions"}).empty();
+    });
   } catch (const InputError&) {
     return false;
   }
