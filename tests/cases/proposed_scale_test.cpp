@@ -82,6 +82,21 @@ TEST(ProposedScale, IsNotRaisedByTheFloorOfTheTruth) {
   EXPECT_EQ(growing.truth.source.find("refuted"), std::string::npos) << growing.truth.source;
 }
 
+// Ten beads that touch at the start: which of them press each other there is in doubt, and the
+// truth is not known. x of the third is 3.33722e-6 at most, by SciPy.
+TEST(ProposedScale, IsKnownWhereBodiesTouchAtTheStart) {
+  const Case c = of_text(
+      "parameters: {A: 9.76e9, m: 4.05e-4}\n"
+      "states: {\"x[1..10]\": 0, \"v[1..10]\": \"if(i < 2, 0.5, 0)\"}\n"
+      "boundaries: {\"x[0]\": \"x[1]\", \"x[11]\": \"x[10]\"}\nequations:\n  x[1..10]: v[i]\n"
+      "  v[1..10]: A/m*(max(x[i-1] - x[i], 0)^1.5 - max(x[i] - x[i+1], 0)^1.5)\n"
+      "time: {end: 3e-4}\n");
+  ASSERT_EQ(c.units.scale.size(), 20U);
+  EXPECT_EQ(c.units.scale[2], 3e-6);
+  EXPECT_EQ(c.units.scale[9], 1e-4);
+  EXPECT_EQ(c.units.scale[10], 0.5);
+}
+
 // v is zero at the start and at all stops, and x zero at the start and at the end.
 TEST(ProposedScale, LooksBetweenTheStops) {
   const Case periods =

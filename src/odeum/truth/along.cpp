@@ -164,14 +164,20 @@ Along Watched::at(std::size_t mark) const {
   return along;
 }
 
-std::optional<Along> look_along(const System& system, const std::vector<double>& stops) {
+std::optional<Along> look_along(const System& given, const std::vector<double>& stops) {
   constexpr int parts = 16;
+  System system = given;
   const std::set<Real> asked(stops.begin(), stops.end());
   std::set<Real> all = asked;
   for (int k = 1; k < parts; ++k)
     all.insert(system.t0 + (Real(stops.back()) - system.t0) * k / parts);
   const std::vector<Real> times(all.begin(), all.end());
-  const Look look = settled(system, times);
+  Look look = settled(system, times);
+  if (look.reached() == 0 && system.mode_at) {
+    // A start at which conditions are in doubt, as of bodies that touch, has sizes nevertheless.
+    system.mode_at = nullptr;
+    look = settled(system, times);
+  }
   if (look.reached() == 0) return std::nullopt;
   std::size_t mark = look.reached() - 1;
   for (std::size_t k = look.reached(); k-- > 0;)
