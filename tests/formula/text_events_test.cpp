@@ -256,7 +256,7 @@ TEST(TextEvents, ToTakeThemAsTheyComeCostsTheOrder) {
   }
 }
 
-// By the clock they happen at the end of the step that reaches them.
+// As they come, they happen at the end of the step that reaches them.
 TEST(TextEvents, DosesAsTheyComeAreLate) {
   const HybridText text(doses);
   const Outcome outcome = text.run_fixed("odeum/rk4_as_it_comes", 300);
