@@ -233,6 +233,42 @@ events:
   EXPECT_LE(cases::truth_of(chatters.ode).known_until, 1.0);
 }
 
+// Each of seven spikes is late by up to a step, where the slope is between 0.5 and 2.
+TEST(TextEvents, ToTakeThemAsTheyComeCostsTheOrder) {
+  const HybridText text(neuron);
+  const auto error = [&](const char* solver, std::uint64_t steps) {
+    const Outcome outcome = text.run_fixed(solver, steps);
+    EXPECT_EQ(outcome.status, Status::ok) << outcome.detail;
+    EXPECT_EQ(outcome.events.size(), 7U);
+    return std::abs(outcome.states.back() - potential(100));
+  };
+  for (const std::uint64_t steps : {400, 1600, 6400}) {
+    const double h = 100.0 / static_cast<double>(steps);
+    EXPECT_LT(error("odeum/rk4", steps), 1e-6);
+    EXPECT_LT(error("odeum/rk4_as_it_comes", steps), 14 * h);
+    EXPECT_GT(error("odeum/rk4_as_it_comes", steps), 0.05 * h);
+  }
+  for (const char* solver :
+       {"odeum/dormand_prince54_as_it_comes", "odeum/bdf_variable_as_it_comes"}) {
+    const Outcome outcome = text.run(solver, 1e-8);
+    ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+    EXPECT_GT(std::abs(outcome.states.back() - potential(100)), 1e-4) << solver;
+  }
+}
+
+// As they come, they happen at the end of the step that reaches them.
+TEST(TextEvents, DosesAsTheyComeAreLate) {
+  const HybridText text(doses);
+  const Outcome outcome = text.run_fixed("odeum/rk4_as_it_comes", 300);
+  ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+  EXPECT_NEAR(outcome.states.back(), concentration(30), 1e-5);  // all on the grid
+  const Entrants entrants = cases::enroll(text.contest);
+  EXPECT_EQ(entrants.find("odeum/no_method_as_it_comes"), nullptr);
+  ErasedContest plain = text.contest;
+  plain.events = nullptr;
+  EXPECT_FALSE(cases::enroll(plain).find("odeum/rk4_as_it_comes")->unfit.empty());
+}
+
 TEST(TextEvents, AValueThatIsNotFiniteEndsARun) {
   const HybridText text(R"text(
 states: {x: 1}

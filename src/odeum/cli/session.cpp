@@ -17,6 +17,7 @@
 #include "odeum/input/near_words.hpp"
 #include "odeum/input/utf8.hpp"
 #include "odeum/record/output_folder.hpp"
+#include "odeum/solvers/pieces.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 #include "odeum/studies/elements/problems.hpp"
 
@@ -102,7 +103,10 @@ void check_case_globs(const std::vector<std::string>& globs) {
   check_globs("case", globs, known_ids());
 }
 void check_solver_globs(const std::vector<std::string>& globs) {
-  check_globs("solver", globs, solver_ids());
+  std::vector<std::string> firsts = globs;
+  for (std::string& glob : firsts)
+    if (glob.ends_with(as_it_comes)) glob.resize(glob.size() - as_it_comes.size());
+  check_globs("solver", firsts, solver_ids());
 }
 
 std::string with_library(const std::string& glob) {

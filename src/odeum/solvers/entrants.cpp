@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/solvers/entrants.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <utility>
 
@@ -20,6 +22,7 @@ struct Entrants::Shared {
   Finish finish = {};
   std::mutex mutex = {};
   std::vector<std::unique_ptr<Entrant>> made = {};  ///< of `solvers`, then those that were added
+  std::map<const Solver*, std::unique_ptr<Entrant>> as_they_come = {};  ///< the second ones
 };
 
 Entrants::Entrants(const std::vector<Solver>& solvers, ErasedContest contest, Finish finish)
@@ -57,7 +60,19 @@ const Entrant& Entrants::operator[](std::size_t k) const {
 const Entrant* Entrants::find(const std::string& id) const {
   for (std::size_t k = 0; k < size(); ++k)
     if (info(k).id() == id) return &(*this)[k];
-  return nullptr;
+  if (!id.ends_with(as_it_comes) || !shared_ || !shared_->solvers) return nullptr;
+  const auto solver =
+      std::ranges::find(*shared_->solvers, id.substr(0, id.size() - as_it_comes.size()),
+                        [](const Solver& each) { return each.info.id(); });
+  if (solver == shared_->solvers->end()) return nullptr;
+  const std::lock_guard lock(shared_->mutex);
+  std::unique_ptr<Entrant>& entrant = shared_->as_they_come[&*solver];
+  if (!entrant) {
+    entrant = std::make_unique<Entrant>(enrolled_as_it_comes(*solver, shared_->contest));
+    if (shared_->finish) shared_->finish(*entrant);
+    ++entrants_made;
+  }
+  return entrant.get();
 }
 
 std::size_t Entrants::made() { return entrants_made; }

@@ -14,12 +14,11 @@
 
 #include "odeum/problem/events.hpp"
 #include "odeum/solvers/event_finder.hpp"
+#include "odeum/solvers/event_run.hpp"
 #include "odeum/solvers/run_parts.hpp"
 #include "odeum/solvers/solver.hpp"
 
 namespace odeum {
-
-using PartRun = std::function<Outcome(double t0, const std::vector<double>& y0, const Request&)>;
 
 inline bool same_time(double a, double b) {
   constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
@@ -42,6 +41,15 @@ class EventProgress {
   }
 
  protected:
+  /// Why the run cannot be made; empty: it can.
+  std::string refusal(const FixedGrid& grid) const {
+    if (request_.mode == Mode::fixed && !grid.fits()) return "a stop is not on the grid of steps";
+    if (end_ <= events_.known_until) return {};
+    return fmt::format(
+        "what happens by the clock is known up to t = {:.9g}; a run to {} needs a later `end` of "
+        "the text",
+        events_.known_until, end_);
+  }
   /// A stop that is the same time but for rounding: no library makes a step between the two.
   double at_stop(double t) const {
     if (same_time(t, t_)) return t_;

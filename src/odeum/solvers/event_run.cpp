@@ -25,12 +25,7 @@ class EventRun : EventProgress {
         finder_(events_, y_.size()) {}
 
   Outcome operator()() {
-    if (fixed_ && !grid_.fits()) return refused("a stop is not on the grid of steps");
-    if (end_ > events_.known_until)
-      return refused(
-          fmt::format("what happens by the clock is known up to t = {:.9g}; a run to {} "
-                      "needs a later `end` of the text",
-                      events_.known_until, end_));
+    if (const std::string why = refusal(grid_); !why.empty()) return refused(why);
     happen({});
     finder_.begin({}, *course_);
     std::vector<Switch> cuts;

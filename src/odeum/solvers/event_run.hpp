@@ -8,7 +8,9 @@
 
 namespace odeum {
 
-/// Runs a solver from (t0, y0) as the request says, on the form of the problem that holds between
+/// Runs a solver from (t0, y0) as the request says.
+using PartRun = std::function<Outcome(double t0, const std::vector<double>& y0, const Request&)>;
+/// The same on the form of the problem that holds between
 /// two times, see Piece.
 using SegmentRun = std::function<Outcome(double first, double last, double t0,
                                          const std::vector<double>& y0, const Request& request)>;
@@ -24,5 +26,10 @@ using SegmentRun = std::function<Outcome(double first, double last, double t0,
 /// status.
 Outcome run_with_events(const ErasedContest& contest, const Request& request,
                         const SegmentRun& segment);
+
+/// A run that locates nothing: events are looked at where its steps end, by the signs of their
+/// functions and by the clock, and happen there. `run` has the whole problem, whose right-hand side
+/// changes as it may within a step.
+Outcome run_as_it_comes(const ErasedContest& contest, const Request& request, const PartRun& run);
 
 }  // namespace odeum

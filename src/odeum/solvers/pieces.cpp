@@ -133,4 +133,24 @@ Entrant enrolled(const Solver& solver, const ErasedContest& contest) {
   return entrant;
 }
 
+Entrant enrolled_as_it_comes(const Solver& solver, const ErasedContest& contest) {
+  const auto piece =
+      std::make_shared<const Piece>(contest.view, -Piece::unbounded, Piece::unbounded);
+  Entrant entrant = whole(solver, contest_of(contest, piece, contest.t0, *contest.y0));
+  entrant.info.method += as_it_comes;
+  entrant.extended = {};
+  if (!contest.events && !contest.switches && entrant.unfit.empty())
+    entrant.unfit = "the problem has no switches and no events that " + solver.info.id() +
+                    " locates, so that the two are one";
+  if (!contest.events || !entrant.solve) return entrant;
+  entrant.solve = [solver, contest, piece](const Request& request) {
+    const auto run = [&](double t0, const std::vector<double>& y0, const Request& part) {
+      const Entrant alone = whole(solver, contest_of(contest, piece, t0, y0));
+      return alone.solve ? alone.solve(part) : refused(alone.unfit);
+    };
+    return run_as_it_comes(contest, request, run);
+  };
+  return entrant;
+}
+
 }  // namespace odeum

@@ -8,6 +8,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/record/csv.hpp"
+#include "odeum/solvers/pieces.hpp"
 
 namespace odeum::study {
 
@@ -74,10 +75,15 @@ std::vector<const Case*> select_cases(const std::vector<std::string>& globs) {
 std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
                                const std::vector<std::string>& solver_globs) {
   std::vector<Pair> pairs;
+  std::vector<std::string> of_second = solver_globs;
+  std::erase_if(of_second, [](const std::string& glob) { return !glob.ends_with(as_it_comes); });
   for (const Case* c : cases)
-    for (std::size_t k = 0; k < c->entrants.size(); ++k)
-      if (any_glob_matches(solver_globs, c->entrants.info(k).id()))
-        pairs.push_back({c, &c->entrants[k]});
+    for (std::size_t k = 0; k < c->entrants.size(); ++k) {
+      const std::string id = c->entrants.info(k).id(), second = id + std::string(as_it_comes);
+      if (any_glob_matches(solver_globs, id)) pairs.push_back({c, &c->entrants[k]});
+      if (!of_second.empty() && any_glob_matches(of_second, second))
+        if (const Entrant* const entrant = c->entrants.find(second)) pairs.push_back({c, entrant});
+    }
   return pairs;
 }
 

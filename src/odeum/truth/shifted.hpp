@@ -140,7 +140,7 @@ class Shifted {
   }
 
   void refine(State& x) {
-    constexpr int most = 4;
+    constexpr int most = 2;
     constexpr double small = 0x1p-33;  // what the next one adds is then below extended rounding
     for (int round = 0; round < most; ++round) {
       take_residual(x);
