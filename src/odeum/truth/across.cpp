@@ -101,7 +101,6 @@ Run run_of_part(Method method, System& mode, const std::vector<Real>& until, Eff
   effort.span = span;
   Run part = used(mode, until, effort);
   whole.work += part.work + work_of_change;
-  whole.spent = part.spent;
   whole.peaks = std::move(part.peaks);
   whole.reached = std::max(whole.reached, part.reached);
   if (whole.unsure.empty()) whole.sure = whole.states.size() + part.sure;

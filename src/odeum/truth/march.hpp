@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include "odeum/core/clocks.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/truth/along.hpp"
@@ -119,13 +118,9 @@ inline double overhead_of_step(const System& system, std::size_t states, bool is
 
 /// Says that the seconds or the work of a run are spent; empty while they are not.
 inline std::string words_of_limit(const Effort& effort, double work, Real t) {
-  const bool late = is_past(effort.until), busy = processor_seconds() > effort.busy_until;
-  if (!late && !busy && work <= effort.budget) return {};
-  return fmt::format("the {} spent at t = {:.6Lg}",
-                     late   ? "seconds are"
-                     : busy ? fmt::format("{} s of the processor are", effort.seconds)
-                            : "work is",
-                     t);
+  const bool late = is_past(effort.until);
+  if (!late && work <= effort.budget) return {};
+  return fmt::format("the {} spent at t = {:.6Lg}", late ? "seconds are" : "work is", t);
 }
 
 inline std::string words_of_vanishing(bool ends, Real t) {
@@ -175,8 +170,8 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   for (const Real time : times) {
     while (t < time) {
       if (interrupted) throw Interrupted();
-      run.end = words_of_limit(effort, run.work, system.origin + t);
-      if (run.spent = !run.end.empty(); run.spent) return run;
+      if (run.end = words_of_limit(effort, run.work, system.origin + t); !run.end.empty())
+        return run;
       const Real unit = std::numeric_limits<Real>::epsilon() * std::abs(t);
       if (!(h > 4 * unit) || !(h > 1e-300L)) {
         if (ending.is_of_solution(system, t, y, unit)) run.ends_at = t;

@@ -16,10 +16,11 @@ namespace odeum::truth {
 namespace {
 
 constexpr int checks = 80;          // times looked at besides those asked for
+constexpr Real unknown = 1e-6L;     // of the scale: beyond that nothing is known
 constexpr Real few_digits = 1e-3L;  // of the scale: a larger error leaves nothing to compare with
 constexpr Real least = 0x1p-62L;    // of the scale: rounding of extended precision itself
-constexpr double work_of_few = 3.2e9, work_of_some = 8e9, work_of_many = 6e9;
-constexpr double share = 0.4;    // of what is left, for each of two runs
+constexpr double work_of_few = 3.2e9, work_of_some = 8e9, work_of_many = 6e9;  // 5 to 20 s
+constexpr Real share = 0.4L;     // of what is left, for each of two runs
 constexpr Real brief = 1e-12L;   // the tolerance at which families are compared
 constexpr std::size_t few = 64;  // states; with more, each comparison takes seconds
 
@@ -40,7 +41,6 @@ class Search {
     for (const Real t : times_) elapsed_.push_back(t - t0_);
     left_ = system_.states > few ? work_of_many : system_.states > 10 ? work_of_some : work_of_few;
     if (system_.states > few && system_.rounding > 0x1p-60L) left_ *= 5;  // compiled, in double
-    seconds_ = seconds_left_ = seconds_for(system_.states);
     found_ = static_cast<bool>(system_.mode_at);  // each part's steps are looked into
     for (Real& t : system_.switches)
       for (const Real at : elapsed_) t = std::abs(t - at) <= 0x1p-58L * at ? at : t;  // the same
@@ -48,7 +48,6 @@ class Search {
 
   Reference find() {
     choose();
-    left_ = std::min(left_, seconds_left_ / seconds_each_);
     return reference(finest());
   }
 
@@ -115,9 +114,10 @@ class Search {
   bool is_affordable(const Comparison& c, Real from, Real to) const {
     const Real work = foreseen(0, c.a.work, from, to) + foreseen(1, c.b.work, from, to);
     constexpr Real dear = 1e8L;  // for digits close to the rounding of double
-    const Real rate = (c.a.seconds + c.b.seconds) / (c.a.work + c.b.work);
-    return work <= left_ && work * rate <= seconds_left_ &&
-           (work <= dear || c.worst > 1e-14L * size_of(c));
+    return work <= left_ && (work <= dear || c.worst > 1e-14L * size_of(c));
+  }
+  static bool is_better(const Comparison& a, const Comparison& b) {
+    return a.known > b.known || (a.known == b.known && a.worst < b.worst);
   }
   Real size_of(const State& y) const { return largest_of(y, y, units_); }
   Real size_of(const Comparison& c) const {
@@ -133,26 +133,20 @@ class Search {
                         .inspect = found_,
                         .disturb = !system_.mode_at,
                         .until = until_};
+    if (system_.mode_at) return run_across(family_.for_moved, system_, elapsed_, effort, true);
     System moved = system_;
-    if (!system_.mode_at) {
-      moved.rhs = system_.moved_rhs;
-      moved.y0 = system_.moved_y0;
-    }
-    return run_within(seconds_left_ / 4, seconds_, family_.for_moved, moved, elapsed_, effort,
-                      true);
+    moved.rhs = system_.moved_rhs;
+    moved.y0 = system_.moved_y0;
+    return family_.for_moved(moved, elapsed_, effort);
   }
   Run run(Method method, const Effort& effort) const {
-    return run_within(share * seconds_left_, seconds_, method, system_, elapsed_, effort, false);
-  }
-  void spend(const Run& run) {
-    left_ -= run.work;
-    seconds_left_ -= run.seconds;
+    return run_across(method, system_, elapsed_, effort, false);
   }
 
   Comparison compare(Real tolerance) {
     Comparison c;
     Effort effort{.tolerance = tolerance,
-                  .budget = share * left_,
+                  .budget = static_cast<double>(share * left_),
                   .inspect = found_ || tolerance > inspected_,
                   .until = until_};
     // Where `first` has missed nothing, and `second` agrees, that has missed nothing either.
@@ -170,21 +164,30 @@ class Search {
       if (run == 1 && again) second_ = this->run(family_.second, of_second);
       if (run == 2 && with_moved) moved = run_moved();
     });
-    spend(c.a);
-    spend(moved);
-    if (again) spend(second_);
+    left_ -= c.a.work + (again ? second_.work : 0) + moved.work;
     if (with_moved) moved_ = std::move(moved);
     inspected_ = std::max(inspected_, tolerance);
-    if (c.a.split && !found_ && !c.a.spent && !second_.spent) {
+    if (c.a.split && !found_) {
       found_ = of_second.inspect = true;
       second_ = this->run(family_.second, of_second);
-      spend(second_);
+      left_ -= second_.work;
       if (moved_ && !system_.mode_at) moved_ = run_moved();
     }
     second_tolerance_ = of_second.tolerance;
     c.b = second_;
-    c.spent = c.a.spent || c.b.spent;
-    compare_states(system_.y0, units_, c);
+    c.spent = c.a.work > effort.budget || c.b.work > of_second.budget;
+    const std::size_t both = std::min(c.a.states.size(), c.b.states.size());
+    Real size = size_of(system_.y0);
+    while (c.known < both) {
+      const State& y = c.a.states[c.known];
+      State apart = difference_of(y, c.b.states[c.known]);
+      const Real d = largest_of(apart, y, units_);
+      size = std::max(size, size_of(y));
+      if (!(d <= unknown * size)) break;
+      c.worst = std::max(c.worst, d);
+      c.apart.push_back(std::move(apart));
+      ++c.known;
+    }
     return c;
   }
 
@@ -206,13 +209,12 @@ class Search {
         continue;
       const Run run =
           this->run(family.first, {.tolerance = brief, .budget = work, .until = until_});
-      spend(run);
+      left_ -= run.work;
       const bool arrived = run.end.empty();
       if (run.reached < farthest || (run.reached == farthest && !arrived)) continue;
       farthest = run.reached;
       family_ = family;
       brief_work_ = run.work * static_cast<double>(elapsed_.back() / farthest);
-      seconds_each_ = run.seconds / run.work;
       if (!arrived) continue;
       if (run.work <= cheap) return;
       work = run.work / 2;
@@ -279,8 +281,6 @@ class Search {
   Family family_{};
   /// Operations that may still be spent, of one or two nanoseconds each.
   double left_ = 0;
-  double seconds_ = 0, seconds_left_ = 0;  ///< of the processor, of all runs
-  double seconds_each_ = 0;                ///< of an operation of `first`
   double brief_work_ = 0;       ///< of `first` to the end at the tolerance `brief`, as foreseen
   Run second_;                  ///< the last of `second`
   Real second_tolerance_ = -1;  ///< at which it was made

@@ -143,8 +143,6 @@ struct Run {
   std::vector<State> states;  ///< one a time; fewer where the run ended early
   std::string end;            ///< why it ended early; empty: it did not
   double work = 0;            ///< operations spent
-  double seconds = 0;         ///< of the processor, spent
-  bool spent = false;         ///< it ended early for what it may cost
   Real reached = 0;           ///< the time
   /// Where the slope of the solution grows without bound, at a pole or a root: it ends there.
   /// Infinite: nowhere that is known.
@@ -167,15 +165,12 @@ using Moment = std::chrono::steady_clock::time_point;
 
 /// What a run may cost and how accurate each of its steps is to be.
 struct Effort {
-  Real tolerance = 1e-18L;       ///< per step, relative to the size of the solution
-  double budget = 3e9;           ///< operations
-  bool inspect = false;          ///< look into each step
-  Real span = 0;                 ///< of the whole, of which a run is a part; 0: it is the whole
-  bool disturb = false;          ///< change each state by `moved_by` of itself after a step
-  Moment until = Moment::max();  ///< see Deadline
-  /// The processor time of its thread at which it ends, and the seconds that were given to all
-  /// runs.
-  double busy_until = std::numeric_limits<double>::infinity(), seconds = busy_until;
+  Real tolerance = 1e-18L;          ///< per step, relative to the size of the solution
+  double budget = 3e9;              ///< operations
+  bool inspect = false;             ///< look into each step
+  Real span = 0;                    ///< of the whole, of which a run is a part; 0: it is the whole
+  bool disturb = false;             ///< change each state by `moved_by` of itself after a step
+  Moment until = Moment::max();     ///< see Deadline
   Real parts = 50;                  ///< of the span, one of which no step is longer than
   Watched* watched = nullptr;       ///< sees each step; null: nothing does
   Real least_part = 1e-6L;          ///< of the largest size, by which small components are measured
