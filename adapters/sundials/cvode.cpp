@@ -9,6 +9,23 @@
 #include "sundials/newton.hpp"
 
 namespace odeum::adapters::sundials {
+namespace {
+
+constexpr const char* constraints = "constraints";
+
+/// The library's own constraints on all components, as the request's option asks for them. Its
+/// interpolant does not keep them, so that steps end on the stops.
+void constrain(Session& session) {
+  const auto asked = session.request().options.find(constraints);
+  if (asked == session.request().options.end()) return;
+  const Vector all(N_VClone(session.y()));
+  if (!all) throw Failure{CV_MEM_FAIL, "making the vector of constraints"};
+  N_VConst(asked->second, all.get());
+  check(CVodeSetConstraints(session.integrator(), all.get()), "setting the constraints");
+  session.end_steps_on_stops();
+}
+
+}  // namespace
 
 void create_cvode(Session& session, int family) {
   session.adopt(CVodeCreate(family, session.context()));
@@ -38,11 +55,17 @@ std::vector<Method> cvode_methods() {
     info.fixed = false;
     info.adaptive = true;
     info.common_use = CommonUse::tolerance;
+    info.options = {
+        {constraints,
+         "CVodeSetConstraints for all states: 1 keeps them at least 0, 2 above 0, -1 at "
+         "most 0, -2 below 0"}};
     info.controller = "variable order and step, local error test";
     info.source =
         std::string("CVODE user guide, mathematical considerations: ") + orders + ", " + solves;
-    return Method{std::move(info), &cvode_module,
-                  [family](Session& session) { create_cvode(session, family); }};
+    return Method{std::move(info), &cvode_module, [family](Session& session) {
+                    create_cvode(session, family);
+                    constrain(session);
+                  }};
   };
   return {method(CV_ADAMS, "adams", "fixed-point iteration", "Adams-Moulton of orders 1 to 12"),
           method(CV_BDF, "bdf", "Newton iteration",

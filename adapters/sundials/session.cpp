@@ -133,7 +133,7 @@ void Session::step_to(double stop, double end, Outcome& outcome) {
 
 void Session::run_adaptive(Outcome& outcome) {
   set_tolerances();
-  const bool interpolates = module_.interpolates_stops || interpolates_;
+  const bool interpolates = (module_.interpolates_stops || interpolates_) && !ends_on_stops_;
   for (const double stop : request_.stops) {
     const double end = interpolates ? t_end() : stop;
     check(module_.set_stop_time(integrator_, end), "setting the stop time");

@@ -42,6 +42,8 @@ class Session {
   bool fixed_step() const { return request_.mode == Mode::fixed; }
   /// Has stops before the last interpolated where the request asks for that; returns whether.
   bool interpolate_outputs() { return interpolates_ = !fixed_step() && request_.over_stops; }
+  /// No stop is interpolated, whatever the module does.
+  void end_steps_on_stops() { ends_on_stops_ = true; }
   double t0() const { return t0_; }
   double t_end() const { return request_.stops.back(); }
   N_Vector y() const { return y_.get(); }
@@ -87,7 +89,7 @@ class Session {
   std::unique_ptr<ShiftedSolver> shifted_solver_;
   std::shared_ptr<StructuredJacobian> structured_;
   void* integrator_ = nullptr;
-  bool interpolates_ = false;
+  bool interpolates_ = false, ends_on_stops_ = false;
   int warnings_ = 0;
   std::string message_;  ///< the library's last error message, kept from stderr
 };

@@ -2,7 +2,7 @@
 #pragma once
 #include <numbers>
 
-#include "odeum/kernel/rosenbrock.hpp"
+#include "odeum/kernel/rosenbrock_method.hpp"
 
 namespace odeum::methods {
 
