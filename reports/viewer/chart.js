@@ -161,7 +161,12 @@
     );
   };
 
-  const shortName = (name) => name.replace(/^[^/ ]+\//, '');
+  // Names without their libraries, but for those that two solvers share then.
+  const shortNames = (names) => {
+    const short = names.map((name) => name.replace(/^[^/ ]+\//, ''));
+    const shared = (name) => short.indexOf(name) !== short.lastIndexOf(name);
+    return short.map((name, k) => (shared(name) ? names[k] : name));
+  };
   const drawNames = (size, x, y, curves, texts) => {
     const ends = curves
       .map((curve, k) => ({
@@ -213,10 +218,8 @@
     // A name is whole, or without its library, which the colour tells, where the methods differ;
     // where that has no room either, a legend has all of them.
     const longest = (names) => (d3.max(names, (name) => name.length) || 0) * 6.4 + 14;
-    const whole = named.map((curve) => curve.name), short = whole.map(shortName);
-    const texts = [whole, ...(new Set(short).size === short.length ? [short] : [])].find(
-      (names) => longest(names) <= width * 0.36,
-    );
+    const whole = named.map((curve) => curve.name);
+    const texts = [whole, shortNames(whole)].find((names) => longest(names) <= width * 0.36);
     const room = width < 520 || spec.nameless || !texts ? 0 : longest(texts);
     const size = { left: 58, right: width - room - 12, top: 10, bottom: height - 42 };
     const x = makeAxis(spec.x, size.left, size.right), y = makeAxis(spec.y, size.bottom, size.top);
@@ -246,5 +249,5 @@
     return { x, y };
   };
 
-  Object.assign(odeum, { shorten, drawAxes, legendOf, plot });
+  Object.assign(odeum, { shorten, shortNames, drawAxes, legendOf, plot });
 })();

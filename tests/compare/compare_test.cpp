@@ -166,14 +166,23 @@ TEST(Compare, HasTheExitCodeOfARegression) {
       << result.output;
 }
 
-// Five times the work is seen on any machine; a command that fails is named.
+// The commands move a clock of the test on, by 10 and 50 ms, and by one more in each run.
 TEST(Compare, TellsTheSlowerOfTwoCommands) {
-  const auto loop = [](const char* count) {
-    return fmt::format("awk 'BEGIN {{ for (i = 0; i < {}; ++i) x += i }}'", count);
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "clock").string();
+  std::size_t runs = 0;
+  const auto clock = [&] {
+    const double moved = fs::exists(file) ? static_cast<double>(fs::file_size(file)) : 0;
+    return 1e-3 * (moved + static_cast<double>(runs++));
   };
-  const compare::TimesRow row = compare::compare_times(loop("2e5"), loop("1e6"), 11);
+  const auto takes = [&](int ms) { return fmt::format("printf '%{}s' >> '{}'", ms, file); };
+  const compare::TimesRow row = compare::compare_times(takes(10), takes(50), 11, clock);
   EXPECT_TRUE(row.is_slower(0.03)) << row.ratio << ' ' << row.ratio_low;
-  EXPECT_GT(row.ratio_high, row.ratio);
+  EXPECT_NEAR(row.ratio, 51.0 / 11, 1e-9);
+  EXPECT_NEAR(row.before_seconds, 0.011, 1e-12);
+  EXPECT_GE(row.ratio_high, row.ratio);
+  const compare::TimesRow same = compare::compare_times(takes(10), takes(10), 11, clock);
+  EXPECT_FALSE(same.is_slower(0.03)) << same.ratio;
   try {
     compare::compare_times("true", "exit 3", 11);
     ADD_FAILURE();

@@ -27,6 +27,7 @@ const checks = {
     names.forEach((each, i) => { for (const name of ['odeum/explicit_euler', 'odeum/midpoint', ...(i === 3 ? [] : ['exact'])]) hold(each.includes(name), `figure ${i}: ${each}`); });
     hold((await all('.figures path.curve')).length >= 14, 'lines');
     hold((await all('nav.main a')).length === 0, 'views of a report, which this is not');
+    same(await browser.run(`odeum.shortNames(['odeum/rk4', 'gsl/rk4', 'gsl/rkf45'])`), ['odeum/rk4', 'gsl/rk4', 'rkf45'], 'names of two libraries');
   },
   async 'status, answer, error and remarks are those of the folder'() {
     for (const name of ['case', 'diverged', 'why', 'scene', 'path']) {

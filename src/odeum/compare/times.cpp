@@ -17,22 +17,13 @@
 namespace odeum::compare {
 namespace {
 
-double children_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-double seconds_of(const std::string& command) {
-  const double before = children_seconds();
+double seconds_of(const std::string& command, const std::function<double()>& clock) {
+  const double before = clock();
   const int status = std::system(("{ " + command + "\n} >/dev/null 2>&1 </dev/null").c_str());
   if (interrupted) throw Interrupted();
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   if (code != 0) throw std::invalid_argument(fmt::format("{}: exit code {}", command, code));
-  return children_seconds() - before;
+  return clock() - before;
 }
 
 /// How many of the sorted ratios lie outside of the interval at each end: the sign test, 99.9 %.
@@ -56,17 +47,27 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-TimesRow compare_times(const std::string& before, const std::string& after, std::size_t pairs) {
+double children_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+TimesRow compare_times(const std::string& before, const std::string& after, std::size_t pairs,
+                       const std::function<double()>& clock) {
   TimesRow row;
   row.before = before;
   row.after = after;
-  seconds_of(before);
-  seconds_of(after);
+  seconds_of(before, clock);
+  seconds_of(after, clock);
   std::vector<double> was, is, ratios;
   for (std::size_t k = 0; k < pairs; ++k) {
     const bool turned = k % 2 == 1;
-    const double first = seconds_of(turned ? after : before);
-    const double second = seconds_of(turned ? before : after);
+    const double first = seconds_of(turned ? after : before, clock);
+    const double second = seconds_of(turned ? before : after, clock);
     was.push_back(turned ? second : first);
     is.push_back(turned ? first : second);
     ratios.push_back(is.back() / was.back());

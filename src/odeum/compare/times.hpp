@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -31,11 +32,16 @@ struct Times {
   static auto lists(auto& result) { return std::tie(result.rows); }
 };
 
+/// Processor time of the processes that this one has waited for.
+double children_seconds();
+
 /// Runs both commands in turn by a shell, `pairs` times after one pair that is not counted, their
 /// order within a pair changing from one to the next; their output goes nowhere. The processor time
 /// is that of a command and of what it waited for. The interval is that of the sign test: it needs
 /// eleven pairs at least. Throws std::invalid_argument, with its exit code, for a command that
-/// fails, and Interrupted. One at a time in a process.
-TimesRow compare_times(const std::string& before, const std::string& after, std::size_t pairs);
+/// fails, and Interrupted. One at a time in a process. A test gives a clock of its own, in seconds,
+/// which its commands move on.
+TimesRow compare_times(const std::string& before, const std::string& after, std::size_t pairs,
+                       const std::function<double()>& clock = children_seconds);
 
 }  // namespace odeum::compare
