@@ -185,6 +185,31 @@ TEST(Why, EndsARunThatFailed) {
   EXPECT_NE(run.output.find("\nmore    odeum why " + file), std::string::npos) << run.output;
 }
 
+TEST(Why, CountsEventsAndNamesThoseWithoutEnd) {
+  const tests::TemporaryFolder root;
+  const auto why = [&](const char* equations, const char* events) {
+    const std::string file = (root.path() / "events.yaml").string();
+    tests::write_text(file, std::string("states: {x: 1, u: -1}\nequations: ") + equations +
+                                "\ntime: {end: 3}\nevents:\n" + events);
+    const Result said =
+        shell("odeum why " + file + " --solver dormand_prince54 --tol 1e-6 --seconds 2");
+    EXPECT_EQ(said.code, 0) << said.output;
+    return said.output;
+  };
+  // At 0.5, 1.5 and 2.5: none of them is a kink of the equations.
+  const std::string some = why(
+      "{x: 2*u, u: 0}",
+      "  - {when: x, falling: true, set: {u: 1}}\n  - {when: x - 2, rising: true, set: {u: -1}}\n");
+  EXPECT_NE(some.find("3 of "), std::string::npos) << some;
+  EXPECT_NE(some.find("steps end at events (the first at t = 0.5,"), std::string::npos) << some;
+  EXPECT_EQ(some.find("kink"), std::string::npos) << some;
+  const std::string without_end =
+      why("{x: u, u: 0}",
+          "  - {when: x, falling: true, set: {u: 1}}\n  - {when: x, rising: true, set: {u: -1}}\n");
+  EXPECT_NE(without_end.find("ever faster"), std::string::npos) << without_end;
+  EXPECT_EQ(without_end.find("\nkink"), std::string::npos) << without_end;
+}
+
 TEST(Why, RefusesWhatIsNoQuestion) {
   for (const std::string arguments :
        {"kepler_e06 --solver rk4", "kepler_e06 --tol 1e-3", "kepler_e06 --solver rk4 --step 0",

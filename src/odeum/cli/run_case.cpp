@@ -280,7 +280,7 @@ int run_case(Session& session, const cases::Named& what, const RunOptions& given
   for (const CaseRun& run : runs) {
     const RunRow& row = all.emplace_back(trajectories::row_of(c, run));
     say(describe(c, run, row));
-    if (run.outcome.status != Status::ok && !c.problem.events) say(why_text(c, run, options));
+    if (run.outcome.status != Status::ok) say(why_text(c, run, options));
   }
   if (folder) say(write_files(*folder, c, runs, all, options, from_file));
   if (rows) print_rows(all, options.format, &c, runs);

@@ -102,7 +102,6 @@ int why_on(Session& session, const WhyOptions& options, const CLI::App& command)
   const truth::Deadline deadline(
       start + std::chrono::milliseconds(std::llround(1e3 * for_truth * options.seconds)));
   const Case c = case_within(session, options.what, options.problems, options.settings);
-  require_no_events(c, "why");
   const RunSettings settings = settings_for(c, options.settings);
   if (!has_setting(settings)) throw UsageError("why needs --step or --tol, or --rtol and --atol");
   // One that does not fit is a cause, too, beside which others are named.

@@ -125,6 +125,8 @@ Vector step_error(const Case& c, const std::string& solver, const Moment& at,
   const Outcome once = entrant->solve(request), exact = entrant->solve(finer);
   if (once.status != Status::ok || exact.status != Status::ok) return {};
   Vector error(at.y.size());
+  // A run that an event ends has no state at its stop.
+  if (once.states.size() != error.size() || exact.states.size() != error.size()) return {};
   for (std::size_t i = 0; i < error.size(); ++i)
     error[i] = std::abs(once.states[i] - exact.states[i]) /
                (tolerance.absolute(i) + tolerance.relative * std::abs(at.y[i]));

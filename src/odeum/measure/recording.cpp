@@ -8,6 +8,7 @@
 #include "odeum/cases/set_problem.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
+#include "odeum/problem/events.hpp"
 
 namespace odeum::measure {
 namespace {
@@ -43,7 +44,10 @@ void set_ends(Run& run, double t0) {
   run.ends.assign(1, t0);
   if (run.request.mode == Mode::fixed) {
     const FixedGrid grid(t0, run.request);
-    for (std::uint64_t i = 1; i <= std::min(run.outcome.counters.steps, grid.steps()); ++i)
+    // Events add shorter steps between those of the grid.
+    const bool all = run.ok() && !run.outcome.events.empty();
+    for (std::uint64_t i = 1;
+         i <= (all ? grid.steps() : std::min(run.outcome.counters.steps, grid.steps())); ++i)
       run.ends.push_back(grid.t(i));
   } else if (!run.outcome.step_ends.empty() || run.outcome.counters.steps == 0) {
     // A peer may take steps below the rounding of t.
@@ -127,8 +131,14 @@ Recording::Recording(const Case& c, double t0, const std::vector<double>& y0)
         log->trace.first_bad.y.assign(y, y + inner->dimension);
     };
   }
+  std::shared_ptr<const Events> events = contest.events;
+  if (events && t0 > c.t0) {  // what happens at that state has happened
+    auto resumed = std::make_shared<Events>(*events);
+    resumed->resumed = true;
+    events = std::move(resumed);
+  }
   entrants_ = cases::enroll({view, log_, t0, std::make_shared<const std::vector<double>>(y0),
-                             contest.scene, implicit, contest.switches, contest.events});
+                             contest.scene, implicit, contest.switches, events});
 }
 
 std::pair<double, double> Run::around(double t) const {

@@ -108,7 +108,7 @@ class EventRun : EventProgress {
         states[node] = state_at(node_of(ends, k, node));
       if (std::ranges::find(states, nullptr) != states.end()) return {};
       const StepPolynomial polynomial(ends[k - 1], ends[k], states, n);
-      if (Found found = finder_.look(ends[k - 1], ends[k], polynomial)) return found;
+      if (const Found found = finder_.look(ends[k - 1], ends[k], polynomial)) return on_stop(found);
     }
     return {};
   }
@@ -194,14 +194,19 @@ class EventRun : EventProgress {
     };
     if (!finder_.look(a, b, by_cubic)) return {};
     finder_.restore(begun);
-    return finder_.look(a, b, [&](double t, double* y) {
+    return on_stop(finder_.look(a, b, [&](double t, double* y) {
       if (t == a || t == b) return std::ranges::copy(t == a ? before : after, y), true;
       Request one = part_to(t, 1);
       one.stops = {t};
       const Outcome outcome = tried(run, before, a, one);
       if (outcome.status == Status::ok) std::ranges::copy(outcome.states, y);
       return outcome.status == Status::ok;
-    });
+    }));
+  }
+  /// An event on a stop is at the stop, whatever rounding says, which then has the state after it.
+  Found on_stop(Found found) const {
+    if (found) found.t = at_stop(found.t);
+    return found;
   }
 
   const SegmentRun& segment_;

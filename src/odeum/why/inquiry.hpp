@@ -137,6 +137,8 @@ void make_segments(Inquiry& q);
 /// What bounds each sample of an adaptive run, the segments of them, and findings by their shares.
 void share_out(Inquiry& q);
 
+/// Whether an event lies between two states of a run, so that no smooth path joins them.
+bool has_event_between(const Run& run, const Moment& from, const Moment& to);
 /// Each adds a finding where it is one.
 void look_for_kinks(Inquiry& q);
 void look_at_jacobian(Inquiry& q);

@@ -202,6 +202,12 @@ std::optional<Kink> kink_between(const Case& c, const Moment& from, const Moment
               f.time(high) - f.time(low)};
 }
 
+bool has_event_between(const Run& run, const Moment& from, const Moment& to) {
+  const auto& events = run.outcome.events;
+  const auto next = std::ranges::lower_bound(events, from.t, {}, &EventMet::t);
+  return next != events.end() && next->t <= to.t;
+}
+
 void look_for_kinks(Inquiry& q) {
   const Run& run = q.run;
   const double end = run.ends.back();
@@ -209,10 +215,16 @@ void look_for_kinks(Inquiry& q) {
   if (!(wide > 0)) wide = 1e-3 * (run.request.stops.back() - q.c.t0);  // it failed at the start
   q.kink_reach = wide;
   // A run that failed may have stopped short of a change.
-  const Changed changed =
-      kinks_of_conditions(q.c, q.conditions, run.moments, wide, !run.ok(), q.sizes);
-  if (changed.stays && add_sliding(q, changed.kinks.back(), changed.until)) return;
-  if (q.conditions.count == 0)
+  Changed changed = kinks_of_conditions(q.c, q.conditions, run.moments, wide, !run.ok(), q.sizes);
+  std::erase_if(changed.kinks, [&](const Kink& kink) {
+    const auto to = std::ranges::lower_bound(run.moments, kink.t, {}, &Moment::t);
+    return to != run.moments.begin() && to != run.moments.end() &&
+           has_event_between(run, *(to - 1), *to);
+  });
+  if (changed.stays && !changed.kinks.empty() &&
+      add_sliding(q, changed.kinks.back(), changed.until))
+    return;
+  if (q.conditions.count == 0 && !q.c.problem.events)
     if (const auto jumps = jumps_it_stays_at(q);
         !jumps.empty() && add_sliding(q, jumps.front(), run.moments.back().t))
       return;
@@ -226,6 +238,7 @@ void look_for_kinks(Inquiry& q) {
     const Moment &from = run.moments[k], &to = run.moments[k + 1];
     // Less is the rounding of t.
     if (!(to.t - from.t > 1e5 * epsilon * std::abs(to.t))) continue;
+    if (has_event_between(run, from, to)) continue;
     if (std::ranges::any_of(changed.kinks,
                             [&](const Kink& kink) { return kink.t >= from.t && kink.t <= to.t; }))
       continue;

@@ -238,6 +238,7 @@ Inside look_into_steps(const Inquiry& q, const Run& run, const std::vector<Momen
 }  // namespace
 
 bool has_unseen(const Inquiry& q, const Run& run) {
+  if (!run.outcome.events.empty()) return false;  // no smooth path joins its states
   const double wide = (run.ends.back() - run.ends.front()) / 100;
   const Changed changed = kinks_of_conditions(q.c, q.conditions, run.moments, wide, false, q.sizes);
   const Path path(q.c, run.moments);
@@ -246,6 +247,7 @@ bool has_unseen(const Inquiry& q, const Run& run) {
 }
 
 void look_for_unseen(Inquiry& q) {
+  if (!q.run.outcome.events.empty()) return;
   // Where nobody ends near the solution, all may have missed the same.
   const Run& along = q.trusted ? *q.trusted : q.run;
   if (q.trusted && !(q.difference(q.run) > std::min(10 * wanted(q), far_off))) return;

@@ -17,7 +17,7 @@ const char* name_of(Cause cause) {
   constexpr std::array names{
       "accuracy", "stability",      "kink",     "sliding", "pole",     "growth",        "singular",
       "domain",   "wrong_jacobian", "rounding", "pulse",   "aliasing", "amplification", "absolute",
-      "energy",   "too_coarse",     "too_fine", "astray",  "newton",   "unfit"};
+      "energy",   "too_coarse",     "too_fine", "astray",  "newton",   "unfit",         "events"};
   return names[static_cast<std::size_t>(cause)];
 }
 
@@ -96,7 +96,8 @@ void look_at_steps(Inquiry& q) {
   compare_samples(q);
   share_out(q);
   const bool explained = std::ranges::any_of(q.why.findings, [](const Finding& finding) {
-    return finding.cause != Cause::accuracy && finding.cause != Cause::stability;
+    return finding.cause != Cause::accuracy && finding.cause != Cause::stability &&
+           finding.cause != Cause::events;
   });
   if (q.run.outcome.status == Status::newton_failed && !explained)
     q.add(Cause::newton, nan, q.run.ends.back(),
@@ -118,6 +119,35 @@ void look_at_steps(Inquiry& q) {
   compare_samples(q);
   std::erase_if(q.samples, [&](const Sample& s) { return s.at.t > q.run.ends.back(); });
   look_at_edge(q);
+}
+
+/// What the events of a run take; whether it ended since they follow one another ever faster.
+bool look_at_events(Inquiry& q) {
+  constexpr double least_share = 0.01;
+  constexpr std::size_t many = 32;
+  std::vector<double> times;
+  for (const EventMet& met : q.run.outcome.events)
+    if (times.empty() || met.t > times.back()) times.push_back(met.t);
+  if (times.empty()) return false;
+  const std::string first =
+      fmt::format("the first at t = {:.6g}, the last at {:.6g}", times.front(), times.back());
+  if (q.run.outcome.status == Status::step_too_small && times.size() > many &&
+      times.back() == q.run.outcome.events.back().t &&
+      q.run.outcome.detail.starts_with("events follow")) {
+    q.add(Cause::events, nan, times[times.size() - many],
+          fmt::format("{} events, {}: {}", times.size(), first, q.run.outcome.detail));
+    q.why.advice =
+        "an event that stops the run before, or that changes the equations to those of the motion "
+        "that follows, lets it go on";
+    return true;
+  }
+  const auto steps = static_cast<double>(std::max<std::uint64_t>(1, q.run.outcome.counters.steps));
+  const double share = std::min(1.0, static_cast<double>(times.size()) / steps);
+  if (share >= least_share)
+    q.add(Cause::events, share, times.front(),
+          fmt::format("{} of {} steps end at events ({}), after each of which the run begins anew",
+                      times.size(), q.run.outcome.counters.steps, first));
+  return false;
 }
 
 /// Causes of a failure are found first and stay so. Of a run that ended what harms it leads where
@@ -162,6 +192,7 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
     q.why.steps_left = (request.stops.back() - q.why.reached) / q.run.step_at(q.why.reached);
   q.why.error = q.error_at_end(request, q.run.outcome);
   if (q.run.outcome.status == Status::refused) q.add(Cause::unfit, nan, nan, q.run.outcome.detail);
+  if (look_at_events(q)) return q.why;
   q.find_sizes(q.run);
   look_at_jacobian(q);
   const double step = q.adaptive() ? 0 : step_of(request, c.t0);

@@ -34,6 +34,7 @@ enum class Cause {
   astray,          ///< the run left the solution, which others follow to the end
   newton,          ///< the iteration of an implicit step does not converge
   unfit,           ///< the solver can't make this run
+  events,          ///< steps end at events, after each of which the run begins anew
 };
 const char* name_of(Cause cause);
 

@@ -153,6 +153,8 @@ std::string first_line(const Why& why) {
     text = fmt::format("from t = {:.4g} on, {:.0f} % of the steps are bound by {}: {}", main.from,
                        100 * main.share,
                        main.cause == Cause::accuracy ? "the error test" : "stability", main.text);
+  } else if (main.cause == Cause::events) {
+    text = main.text;
   } else {
     text =
         fmt::format("{}: {:.0f} % of the evaluations are spent on it", main.text, 100 * main.share);
