@@ -114,10 +114,12 @@ std::string text_of_uncontrolled(const Case& c, const Request& request,
       joined(named), named.size() == 1 ? "s" : "", own_tolerances(c, request, some, largest));
 }
 
-/// `lowest` and `largest`: of each component, by the run and by the solution.
+/// `lowest` and `largest`: of each component, by the run and by the solution, of which no component
+/// is below zero where `all_above`.
 std::string text_of_negative(const Case& c, const Request& request,
                              const std::vector<std::size_t>& some,
-                             const std::vector<double>& lowest, std::vector<double> largest) {
+                             const std::vector<double>& lowest, std::vector<double> largest,
+                             bool all_above) {
   const std::vector<std::string> names = component_names(c);
   std::vector<std::string> named;
   for (const std::size_t i : some) {
@@ -125,9 +127,12 @@ std::string text_of_negative(const Case& c, const Request& request,
     largest[i] = 0.01 * std::min(request.tolerance.absolute(i), largest[i]);
   }
   return fmt::format(
-      "{} {} below zero where the solution is not; {} asks for more digits", joined(named),
+      "{} {} below zero where the solution is not; {} asks for more digits{}", joined(named),
       named.size() == 1 ? "falls" : "fall",
-      request.mode == Mode::fixed ? "a shorter step" : own_tolerances(c, request, some, largest));
+      request.mode == Mode::fixed ? "a shorter step" : own_tolerances(c, request, some, largest),
+      request.mode == Mode::adaptive && all_above
+          ? ", and CVODE's --option constraints=1 takes no step below zero"
+          : "");
 }
 
 }  // namespace
@@ -166,6 +171,7 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
   if (reached == 0) return all;
   const auto stops = std::min(reached, request.stops.size());
   std::vector<std::size_t> uncontrolled, below_zero;
+  bool all_above = true;
   std::vector<double> largest(n), exact(n), lowest(n), lowest_exact(n);
   for (std::size_t i = 0; i < n; ++i) largest[i] = std::abs(c.y0[i]);
   // Sizes between the stops count, as far as they are known.
@@ -201,10 +207,13 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
       uncontrolled.push_back(i);
     // Rounding and the truth's own error are not a fault.
     const double meant = 1e-12 * largest[i] + 10 * c.floor_of(i);
-    if (c.y0[i] >= 0 && lowest_exact[i] >= -meant && lowest[i] < -meant) below_zero.push_back(i);
+    const bool is_above = c.y0[i] >= 0 && lowest_exact[i] >= -meant;
+    all_above = all_above && is_above;
+    if (is_above && lowest[i] < -meant) below_zero.push_back(i);
   }
   if (!uncontrolled.empty()) all.push_back(text_of_uncontrolled(c, request, uncontrolled, largest));
-  if (!below_zero.empty()) all.push_back(text_of_negative(c, request, below_zero, lowest, largest));
+  if (!below_zero.empty())
+    all.push_back(text_of_negative(c, request, below_zero, lowest, largest, all_above));
   const double* end = outcome.states.data() + (stops - 1) * n;
   if (!take_truth_at(request.stops[stops - 1])) return all;
   std::ranges::move(broken_sums(c, request, end, exact, largest), std::back_inserter(all));

@@ -10,7 +10,7 @@
 
 namespace odeum {
 
-/// Looks at nothing: the last stage of the method is no correction at the end of its step.
+/// Looks at nothing, where the last stage of the method does not correct the end of its step.
 template <Ode P, bool corrects_its_end>
 class EndCorrection {
  public:

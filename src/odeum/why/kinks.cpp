@@ -158,6 +158,19 @@ std::pair<double, const Kink*> excess_of(const Run& run, const std::vector<Kink>
   return {excess, worst};
 }
 
+/// Kinks of the conditions of a text, but for those in intervals with an event. A run that failed
+/// may have stopped short of one.
+Changed changes_between_events(const Inquiry& q, double wide) {
+  const Run& run = q.run;
+  Changed changed = kinks_of_conditions(q.c, q.conditions, run.moments, wide, !run.ok(), q.sizes);
+  std::erase_if(changed.kinks, [&](const Kink& kink) {
+    const auto to = std::ranges::lower_bound(run.moments, kink.t, {}, &Moment::t);
+    return to != run.moments.begin() && to != run.moments.end() &&
+           has_event_between(run, *(to - 1), *to);
+  });
+  return changed;
+}
+
 }  // namespace
 
 std::optional<Kink> kink_between(const Case& c, const Moment& from, const Moment& to) {
@@ -215,12 +228,7 @@ void look_for_kinks(Inquiry& q) {
   if (!(wide > 0)) wide = 1e-3 * (run.request.stops.back() - q.c.t0);  // it failed at the start
   q.kink_reach = wide;
   // A run that failed may have stopped short of a change.
-  Changed changed = kinks_of_conditions(q.c, q.conditions, run.moments, wide, !run.ok(), q.sizes);
-  std::erase_if(changed.kinks, [&](const Kink& kink) {
-    const auto to = std::ranges::lower_bound(run.moments, kink.t, {}, &Moment::t);
-    return to != run.moments.begin() && to != run.moments.end() &&
-           has_event_between(run, *(to - 1), *to);
-  });
+  const Changed changed = changes_between_events(q, wide);
   if (changed.stays && !changed.kinks.empty() &&
       add_sliding(q, changed.kinks.back(), changed.until))
     return;
