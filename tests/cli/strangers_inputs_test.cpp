@@ -73,14 +73,12 @@ TEST(StrangersInput, ConcentrationsStayAboveZeroUnderConstraints) {
       "states: {a: 1, b: 0}\nequations: {a: -1000*a, b: 1000*a}\ntime: {end: 10}\n");
   const std::string run = "run its.yaml --solver cvode/bdf --rtol 1e-2 --atol 1e-2 ";
   const std::string lowest =
-      " --every 0.005 --out out >/dev/null 2>&1 && grep bdf out/trajectory.csv | cut -d , -f 6 | "
+      " --every 0.005 --out out >/dev/null 2>&1; grep bdf out/trajectory.csv | cut -d , -f 6 | "
       "sort "
       "-g "
       "| head -n 1";
   EXPECT_LT(std::stod(input(run + lowest).output), -1e-3);
   EXPECT_GE(std::stod(input(run + "--option constraints=1" + lowest).output), 0);
-  EXPECT_NE(input(run).output.find("CVODE's --option constraints=1 takes no step below zero"),
-            std::string::npos);
   const Result refused = input(run + "--option constraints=2");
   EXPECT_NE(refused.output.find("y0 fails to satisfy constraints"), std::string::npos)
       << refused.output;
