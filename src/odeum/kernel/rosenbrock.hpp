@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <array>
-#include <concepts>
 #include <utility>
 
 #include "odeum/core/status.hpp"
 #include "odeum/kernel/components.hpp"
-#include "odeum/kernel/end_correction.hpp"
+#include "odeum/kernel/method.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/tableau/rosenbrock_tableau.hpp"
 
@@ -27,8 +26,7 @@ class Rosenbrock {
         f_(make_state(problem)),
         time_derivative_(f_),
         argument_(f_),
-        linearised_at_(f_),
-        end_(problem, f_) {
+        linearised_at_(f_) {
     u_.fill(f_);
   }
 
@@ -38,19 +36,14 @@ class Rosenbrock {
     return Status::ok;
   }
 
-  /// The same step; `error` becomes sum_i (m_i - m_hat_i) u_i. To a tolerance it fails also where J
-  /// does not hold to the end of the step, see EndCorrection.
+  /// The same step; `error` becomes sum_i (m_i - m_hat_i) u_i.
   Status step(Real t, Real h, State<P>& y, State<P>& error) requires(T.embedded()) {
     if (!solve_stages(t, h, y)) return Status::newton_failed;
     for (Real& e : error) e = 0;
     add_row<Row::difference>(error, error, std::make_index_sequence<stages>{});
     add_row<Row::main>(y, y, std::make_index_sequence<stages>{});
-    if (!end_.holds(t + h, T.gamma * h, y, error)) return Status::newton_failed;
     return Status::ok;
   }
-
-  /// The tolerance of the steps to come.
-  void solve_to(const Tolerance& tolerance) { end_.solve_to(tolerance); }
 
   /// Whether the last step was longer than 1 / (gamma lambda) for a growing mode e^(lambda t): it
   /// then decays or changes sign, and a solution that grows to a pole comes out beyond. An even
@@ -102,7 +95,6 @@ class Rosenbrock {
       problem_.rhs(t + alpha[I] * h, argument_.data(), u.data());
     }
     const Real gamma_h = T.gamma * h;
-    if constexpr (I + 1 == stages) end_.keep_slope(u);
     each_component(y, [&](std::size_t n) {
       Real sum = 0;
       ((T.c[I][J] != 0 ? void(sum += (T.gamma * T.c[I][J]) * u_[J][n]) : void()), ...);
@@ -111,7 +103,6 @@ class Rosenbrock {
         slope += gamma[I] * h * time_derivative_[n];
       u[n] = gamma_h * slope + sum;
     });
-    if constexpr (I + 1 == stages) end_.keep_residual(u);
     return system_.solve(u.data());
   }
 
@@ -130,10 +121,25 @@ class Rosenbrock {
   const P& problem_;
   ShiftedSystem<P> system_;
   State<P> f_, time_derivative_, argument_, linearised_at_;
-  EndCorrection<P, T.corrects_its_end() && std::same_as<Real, double>> end_;
   std::array<State<P>, stages> u_;
   Real linearised_t_ = 0;
   bool linearised_ = false;
+};
+
+/// Base of a Rosenbrock method.
+template <const auto& T>
+struct RosenbrockMethod {
+  static constexpr const auto& rosenbrock_tableau = T;
+  template <class P>
+  using Stepper = Rosenbrock<T, P>;
+  /// |R(z)|: on a linear problem alpha + Gamma is the matrix of a Runge-Kutta method.
+  static double amplification(double re, double im) {
+    static constexpr auto linear = T.linear_tableau();
+    return std::abs(stability_function(linear, {re, im}));
+  }
+  static constexpr MethodInfo described(MethodInfo info) {
+    return completed(info, "linearly_implicit", T);
+  }
 };
 
 }  // namespace odeum

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/rosenbrock_method.hpp"
+#include "odeum/kernel/rosenbrock.hpp"
 
 namespace odeum::methods {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <numbers>
 
-#include "odeum/kernel/rosenbrock_method.hpp"
+#include "odeum/kernel/rosenbrock.hpp"
 
 namespace odeum::methods {
 

@@ -35,15 +35,6 @@ struct RosenbrockTableau {
   double rounding = 1e-13;
 
   constexpr bool embedded() const { return order_hat != 0; }
-  /// The last stage is a step of Newton's method from its argument, at the end of the step, and all
-  /// that the embedded row lacks.
-  constexpr bool corrects_its_end() const {
-    const double at = row_sums(alpha_matrix())[S - 1];
-    if (!(at > 1 - rounding && at < 1 + rounding) || m[S - 1] != 1) return false;
-    for (std::size_t j = 0; j < S; ++j)
-      if ((j + 1 < S && m[j] != a[S - 1][j]) || m_hat[j] != (j + 1 < S ? m[j] : 0)) return false;
-    return true;
-  }
 
   /// Gamma, from its inverse I / gamma - C, which is lower triangular.
   constexpr Matrix gamma_matrix() const {
