@@ -164,9 +164,8 @@ Along Watched::at(std::size_t mark) const {
   return along;
 }
 
-std::optional<Along> look_along(const System& given, const std::vector<double>& stops) {
+std::optional<Along> look_along(const System& system, const std::vector<double>& stops) {
   constexpr int parts = 16;
-  System system = given;
   const std::set<Real> asked(stops.begin(), stops.end());
   std::set<Real> all = asked;
   for (int k = 1; k < parts; ++k)
@@ -175,8 +174,9 @@ std::optional<Along> look_along(const System& given, const std::vector<double>& 
   Look look = settled(system, times);
   if (look.reached() == 0 && system.mode_at) {
     // A start at which conditions are in doubt, as of bodies that touch, has sizes nevertheless.
-    system.mode_at = nullptr;
-    look = settled(system, times);
+    System without_modes = system;
+    without_modes.mode_at = nullptr;
+    look = settled(without_modes, times);
   }
   if (look.reached() == 0) return std::nullopt;
   std::size_t mark = look.reached() - 1;
