@@ -12,7 +12,7 @@
 namespace odeum::tests::strangers_inputs_test {
 namespace {
 
-/// `odeum` with a file of its own; "{}" in the words is its name.
+/// `odeum` in a folder with a file of its own, its.yaml.
 class StrangersInput {
  public:
   explicit StrangersInput(const std::string& text) {
@@ -59,11 +59,13 @@ TEST(StrangersInput, ConcentrationsStayAboveZeroUnderConstraints) {
   const std::string run = "run its.yaml --solver cvode/bdf --rtol 1e-2 --atol 1e-2 ";
   const std::string lowest =
       " --every 0.005 --out out >/dev/null 2>&1; grep bdf out/trajectory.csv | cut -d , -f 6 | "
-      "sort "
-      "-g "
-      "| head -n 1";
+      "sort -g | head -n 1";
   EXPECT_LT(std::stod(input(run + lowest).output), -1e-3);
   EXPECT_GE(std::stod(input(run + "--option constraints=1" + lowest).output), 0);
+  // The printed program has them.
+  const Result program = input(run + "--option constraints=1 --code");
+  EXPECT_NE(program.output.find("N_VConst(1, constraints);"), std::string::npos) << program.output;
+  EXPECT_EQ(input(run + "--code").output.find("onstraints"), std::string::npos);
   const Result refused = input(run + "--option constraints=2");
   EXPECT_NE(refused.output.find("y0 fails to satisfy constraints"), std::string::npos)
       << refused.output;
@@ -108,8 +110,8 @@ TEST(StrangersInput, ASlopeWithoutBoundIsNoEndOfTheSolution) {
 TEST(StrangersInput, AnEnergyOfRoundingIsNoBlowUp) {
   const StrangersInput input(
       "gravity: 0\ncloth:\n  - rows: 5\n    columns: 5\n    origin: [0, 0, 0]\n    row_edge: [1, "
-      "0, "
-      "0]\n    column_edge: [0, 1, 0]\n    mass: 1000\n    structural: {stiffness: 1e5, damping: "
+      "0, 0]\n    column_edge: [0, 1, 0]\n    mass: 1000\n    structural: {stiffness: 1e5, "
+      "damping: "
       "0}\n    shear: {stiffness: 1e5, damping: 0}\n");
   const Result run = input("run its.yaml --solver rk4 --step 0.001 --until 1");
   EXPECT_EQ(run.code, 0) << run.output;

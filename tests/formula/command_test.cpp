@@ -81,6 +81,8 @@ TEST_F(ProblemCommands, OfSeveralCasesOneIsChosen) {
 TEST_F(ProblemCommands, AMisspeltKeyIsOneOfAProblem) {
   write("near.yaml", "state: {x: 1}\nequation: {x: -x}\ntime: {end: 1}\n");
   expect("run near.yaml --solver rk4 --step 0.1", 2, "did you mean states?");
+  write("bodies.yaml", "particles: [{id: 0, position: [0, 0, 0]}]\nsystem: SI\n");
+  expect("run bodies.yaml --solver rk4 --step 0.1", 2, "expected one of name, up, gravity");
 }
 
 // The truth was computed when the problem was loaded, asked for or not.

@@ -104,7 +104,8 @@ TEST(Remarks, SayWhatAnErrorAtTheEndHides) {
   ASSERT_GE(said.size(), 2U);
   EXPECT_EQ(said[0],
             "S (-1.8e-06) falls below zero where the solution is not; --rtol 1e-06 --atol S=1e-11 "
-            "asks for more digits, and CVODE's --option constraints=1 takes no step below zero");
+            "asks for more digits, and --solver cvode/bdf --option constraints=1 takes no step "
+            "below zero");
   EXPECT_NE(said[1].find("the equations keep "), std::string::npos) << said[1];
 }
 

@@ -6,9 +6,10 @@ tests/outside/advice.py [--program FILE] [--csv FILE] [NAME...]    default: the 
 
 Each question is asked in an empty cache. The command of the answer is run with outputs at quarters of the span, and each
 of them is compared with the states that SciPy computes, in the units that the answer took (its scale of each state). A
-run keeps its error where the largest is at most 1.05 times the error asked for: two families of SciPy's agree to a hundredth of it. An answer
-that says in its exit code that it has no run, or for a part of the span, is `declined`. Needs SciPy and PyYAML."""
-import csv, json, math, os, pathlib, re, resource, shlex, subprocess, sys, tempfile
+run keeps its error where the largest is at most 1.05 times the error asked for: two families of SciPy's agree to a
+hundredth of it. An answer that says by its exit code that it has no run, or one for a part of the span, is `declined`,
+where that run keeps its error. Needs SciPy and PyYAML."""
+import csv, json, os, pathlib, re, resource, shlex, subprocess, sys, tempfile
 import numpy as np
 import ends
 from model import Model
@@ -76,10 +77,9 @@ def judged(program, path, words):
     wanted = float(words[words.index("--error") + 1])
     right, size = reference(path, times, wanted)
     error = float(np.max(np.abs(np.array(states) - right) / scale_of(text, size)))
-    kept = "kept" if error <= 1.05 * wanted else "declined" if row["exit"] == 1 else "missed"
-    if times[-1] != Model(path).end:
-        kept = "missed"
-    return row | {"error": f"{error:.3g}", "verdict": kept}
+    whole = times[-1] == Model(path).end
+    verdict = "missed" if error > 1.05 * wanted else "declined" if row["exit"] == 1 else "kept" if whole else "missed"
+    return row | {"error": f"{error:.3g}", "verdict": verdict}
 
 
 def main():

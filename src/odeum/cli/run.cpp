@@ -113,7 +113,7 @@ void add_what_to_run(CLI::App& command, RunOptions& options) {
           ->excludes(step);
   for (const char* other : {"--tol", "--rtol"}) steps->excludes(command.get_option(other));
   add_option(command, "--option NAME=VALUE ...", options.library_options,
-             "a value for an option that the solver's library has: sweeps=4");
+             "a value for an option that the solver's library has: constraints=1");
   CLI::Option* until =
       add_option(command, "--until T", options.settings.until, "end time; default: the horizon");
   CLI::Option* every =

@@ -233,8 +233,9 @@ int print_code(const Case& c, const RunOptions& options) {
   if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
   require_no_events(c, "--code");
   const Entrant& entrant = find_entrant(c.entrants, c.id, options.solvers.front());
-  print(code_of(c, struct_of(c, entrant.info), entrant,
-                make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info)));
+  Request request = make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info);
+  request.options = library_options(options, entrant.info);
+  print(code_of(c, struct_of(c, entrant.info), entrant, request));
   return success;
 }
 

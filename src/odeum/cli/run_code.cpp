@@ -13,6 +13,7 @@
 #include "odeum/cli/run.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/solvers/first_step.hpp"
+#include "odeum/solvers/pieces.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -60,11 +61,12 @@ const char* shared_type(const Case& c, const SolverInfo& info) {
 
 /// The program that makes the run. Throws UsageError where none does.
 std::string program_for(const SolverInfo& info, bool stated, const Request& request) {
-  if (info.library == "odeum" && !info.needs.starts_with("residuals"))
-    return stated ? "odeum" : "laboratory";
   const auto refuse = [&](const char* why) {
     throw UsageError("--code: there is no program for {} {}", info.id(), why);
   };
+  if (info.method.ends_with(as_it_comes)) refuse("which only this laboratory runs");
+  if (info.library == "odeum" && !info.needs.starts_with("residuals"))
+    return stated ? "odeum" : "laboratory";
   if (!stated) refuse("on a case that no text of equations states");
   if (request.mode == Mode::fixed) refuse("at a fixed step: give --tol");
   const std::string& m = info.method;
@@ -124,6 +126,10 @@ std::string code_of(const Case& c, const std::string& problem, const Entrant& en
     values["explicit"] = info.family == "explicit_rk" ? "1" : "0";
     values["METHOD"] = info.method == "bdf" ? "BDF" : "ADAMS";
     if (info.library != "odeum") values["first"] = number(first_step_of(c, info, request));
+  }
+  for (const auto& [option, value] : request.options) {
+    holds.insert(option);
+    values[option] = number(value);
   }
   holds.insert(problem.find("void time_derivative(") == std::string::npos ? "autonomous" : "timed");
   const auto* const found = std::find_if(std::begin(programs), std::end(programs),

@@ -187,17 +187,21 @@ std::string problem_text(const std::string& file) {
 }
 
 bool looks_like_problem(const std::string& file, const std::string& text) {
+  const std::vector<std::string> own{"equations", "residuals", "states", "reactions"};
   // Also where the rest is not YAML: the error is then that of a problem.
-  for (const char* key : {"equations:", "residuals:", "states:", "reactions:"})
-    if (text.starts_with(key) || text.find(std::string("\n") + key) != std::string::npos)
+  for (const std::string& key : own)
+    if (text.starts_with(key + ':') || text.find('\n' + key + ':') != std::string::npos)
       return true;
   try {
     const Source source(file, text);
     const std::vector<Item> all = source.items(source.root(), "problem");
-    // A key that is spelt wrongly is one too: the error is then about keys of problems.
-    return std::ranges::any_of(all, [](const Item& item) {
-      return !near_one(item.key, {"equations", "residuals", "states", "reactions"}).empty();
-    });
+    // A key that is spelt wrongly is one too, unless bodies make it a scene: the error is then
+    // about keys of problems.
+    const auto has_one = [&](const auto& is_meant) { return std::ranges::any_of(all, is_meant); };
+    return has_one([&](const Item& item) { return !near_one(item.key, own).empty(); }) &&
+           !has_one([](const Item& item) {
+             return item.key == "particles" || item.key == "cloth" || item.key == "emitters";
+           });
   } catch (const InputError&) {
     return false;
   }

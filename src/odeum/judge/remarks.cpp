@@ -114,6 +114,15 @@ std::string text_of_uncontrolled(const Case& c, const Request& request,
       joined(named), named.size() == 1 ? "s" : "", own_tolerances(c, request, some, largest));
 }
 
+/// Names a library's solver that takes no step below zero, where one is there.
+std::string words_of_constraints(const Case& c) {
+  std::string solver;
+  for (std::size_t k = 0; k < c.entrants.size(); ++k)
+    if (c.entrants.info(k).options.contains("constraints")) solver = c.entrants.info(k).id();
+  if (solver.empty()) return {};
+  return fmt::format(", and --solver {} --option constraints=1 takes no step below zero", solver);
+}
+
 /// `lowest` and `largest`: of each component, by the run and by the solution, of which no component
 /// is below zero where `all_above`.
 std::string text_of_negative(const Case& c, const Request& request,
@@ -130,9 +139,7 @@ std::string text_of_negative(const Case& c, const Request& request,
       "{} {} below zero where the solution is not; {} asks for more digits{}", joined(named),
       named.size() == 1 ? "falls" : "fall",
       request.mode == Mode::fixed ? "a shorter step" : own_tolerances(c, request, some, largest),
-      request.mode == Mode::adaptive && all_above
-          ? ", and CVODE's --option constraints=1 takes no step below zero"
-          : "");
+      request.mode == Mode::adaptive && all_above ? words_of_constraints(c) : "");
 }
 
 }  // namespace

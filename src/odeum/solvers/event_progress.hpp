@@ -105,35 +105,36 @@ class EventProgress {
     happen(crossings);
     if (go_on_) require_way();
   }
+  std::vector<int> signs_at(double t, const double* y) const {
+    std::vector<double> values(events_.senses.size());
+    events_.functions(t, y, values.data());
+    std::vector<int> signs;
+    for (const double value : values)
+      signs.push_back(static_cast<int>(value > 0) - static_cast<int>(value < 0));
+    return signs;
+  }
   /// The signs of all functions a little after t, by a few steps of Euler's method.
   std::vector<int> ahead(double t, std::vector<double> y) const {
     constexpr int steps = 4;
     const double h = std::max(1e-9 * (end_ - contest_.t0),
                               64 * std::numeric_limits<double>::epsilon() * std::abs(t)) /
                      steps;
-    std::vector<double> slope(y.size()), values(events_.senses.size());
+    std::vector<double> slope(y.size());
     for (int k = 0; k < steps; ++k) {
       contest_.view.rhs(contest_.view.problem, t + k * h, y.data(), slope.data());
       for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * slope[i];
     }
-    events_.functions(t + steps * h, y.data(), values.data());
-    std::vector<int> signs;
-    for (const double value : values)
-      signs.push_back(static_cast<int>(value > 0) - static_cast<int>(value < 0));
-    return signs;
+    return signs_at(t + steps * h, y.data());
   }
   /// Events without end in a finite time (Zeno), or one that calls the other (chattering).
   void require_way() {
-    constexpr std::size_t many = 32;
-    constexpr double little = 1e-9;
-    if (crossings_.size() <= many) return;
-    const double since = crossings_[crossings_.size() - 1 - many];
-    if (t_ - since > little * (end_ - contest_.t0)) return;
+    const double since = without_end_since(crossings_, end_ - contest_.t0);
+    if (std::isnan(since)) return;
     fail(Status::step_too_small,
-         fmt::format("events follow one another ever faster: {} of them from t = {:.9g} to {:.9g}, "
-                     "and the run makes no way beyond (chattering, or infinitely many in a finite "
-                     "time)",
-                     many, since, t_));
+         fmt::format("events follow one another ever faster: over 32 of them from t = {:.9g} to "
+                     "{:.9g}, and the run makes no way beyond (chattering, or infinitely many in a "
+                     "finite time)",
+                     since, t_));
   }
   void fail(Status status, std::string why) {
     go_on_ = false;

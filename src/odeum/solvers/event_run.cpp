@@ -217,6 +217,14 @@ class EventRun : EventProgress {
 
 }  // namespace
 
+double without_end_since(const std::vector<double>& times, double span) {
+  constexpr std::size_t many = 32;
+  constexpr double little = 1e-9;
+  if (times.size() <= many) return std::numeric_limits<double>::quiet_NaN();
+  const double since = times[times.size() - 1 - many];
+  return times.back() - since > little * span ? std::numeric_limits<double>::quiet_NaN() : since;
+}
+
 Outcome run_with_events(const ErasedContest& contest, const Request& request,
                         const SegmentRun& segment) {
   return EventRun(contest, request, segment)();

@@ -10,8 +10,7 @@ namespace odeum {
 
 /// Runs a solver from (t0, y0) as the request says.
 using PartRun = std::function<Outcome(double t0, const std::vector<double>& y0, const Request&)>;
-/// The same on the form of the problem that holds between
-/// two times, see Piece.
+/// The same on the form of the problem that holds between two times, see Piece.
 using SegmentRun = std::function<Outcome(double first, double last, double t0,
                                          const std::vector<double>& y0, const Request& request)>;
 
@@ -26,6 +25,11 @@ using SegmentRun = std::function<Outcome(double first, double last, double t0,
 /// status.
 Outcome run_with_events(const ErasedContest& contest, const Request& request,
                         const SegmentRun& segment);
+
+/// Whether the last of these times, of events in their order, follow one another without end within
+/// a run of that span (infinitely many in a finite time, or chattering); the time since which, NaN
+/// where they do not.
+double without_end_since(const std::vector<double>& times, double span);
 
 /// A run that locates nothing: events are looked at where its steps end, by the signs of their
 /// functions and by the clock, and happen there. `run` has the whole problem, whose right-hand side

@@ -31,16 +31,6 @@ class RunAsItComes : EventProgress {
  private:
   using Crossings = std::vector<EventCourse::Crossing>;
 
-  static int sign_of(double value) {
-    return static_cast<int>(value > 0) - static_cast<int>(value < 0);
-  }
-  std::vector<int> signs_at(double t, const double* y) const {
-    std::vector<double> values(events_.senses.size());
-    events_.functions(t, y, values.data());
-    std::vector<int> signs;
-    for (const double value : values) signs.push_back(sign_of(value));
-    return signs;
-  }
   /// The signs after what happened, those of conditions as these have them.
   void begin() {
     signs_ = signs_at(t_, y_.data());
@@ -117,6 +107,10 @@ class RunAsItComes : EventProgress {
           take(tried(run_, y_, t_, part_to(t, 0)), t);
           return found;
         }
+      }
+      if (outcome.status == Status::ok && outcome.step_ends.empty()) {
+        fail(Status::refused, "its library does not say where steps end");
+        return {};
       }
       if (outcome.status == Status::ok && ahead < end_) continue;
       if (!request_.record_steps) outcome.step_ends.clear();

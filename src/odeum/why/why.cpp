@@ -10,6 +10,7 @@
 
 #include "odeum/core/clocks.hpp"
 #include "odeum/isolated/isolated_times.hpp"
+#include "odeum/solvers/event_run.hpp"
 #include "odeum/why/inquiry.hpp"
 
 namespace odeum::why {
@@ -121,32 +122,31 @@ void look_at_steps(Inquiry& q) {
   look_at_edge(q);
 }
 
-/// What the events of a run take; whether it ended since they follow one another ever faster.
+/// What the events of a run take; whether it ended since they follow one another without end.
 bool look_at_events(Inquiry& q) {
   constexpr double least_share = 0.01;
-  constexpr std::size_t many = 32;
+  const Outcome& outcome = q.run.outcome;
   std::vector<double> times;
-  for (const EventMet& met : q.run.outcome.events)
-    if (times.empty() || met.t > times.back()) times.push_back(met.t);
+  for (const EventMet& met : outcome.events) times.push_back(met.t);
   if (times.empty()) return false;
-  const std::string first =
+  const std::string some =
       fmt::format("the first at t = {:.6g}, the last at {:.6g}", times.front(), times.back());
-  if (q.run.outcome.status == Status::step_too_small && times.size() > many &&
-      times.back() == q.run.outcome.events.back().t &&
-      q.run.outcome.detail.starts_with("events follow")) {
-    q.add(Cause::events, nan, times[times.size() - many],
-          fmt::format("{} events, {}: {}", times.size(), first, q.run.outcome.detail));
+  const double since = without_end_since(times, q.run.request.stops.back() - q.c.t0);
+  if (outcome.status == Status::step_too_small && !std::isnan(since)) {
+    q.add(Cause::events, nan, since,
+          fmt::format("{} events, {}: {}", times.size(), some, outcome.detail));
     q.why.advice =
         "an event that stops the run before, or that changes the equations to those of the motion "
         "that follows, lets it go on";
     return true;
   }
-  const auto steps = static_cast<double>(std::max<std::uint64_t>(1, q.run.outcome.counters.steps));
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  const auto steps = static_cast<double>(std::max<std::uint64_t>(1, outcome.counters.steps));
   const double share = std::min(1.0, static_cast<double>(times.size()) / steps);
   if (share >= least_share)
     q.add(Cause::events, share, times.front(),
           fmt::format("{} of {} steps end at events ({}), after each of which the run begins anew",
-                      times.size(), q.run.outcome.counters.steps, first));
+                      times.size(), outcome.counters.steps, some));
   return false;
 }
 
