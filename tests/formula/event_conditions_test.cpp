@@ -203,5 +203,23 @@ events:
   EXPECT_LE(cases::truth_of(text.ode).known_until, 1.0);
 }
 
+// Behind each spike lies a pole, close to which the states within steps were computed until the
+// whole budget was spent. Izhikevich, IEEE Trans. Neural Networks 14 (2003) 1569; v by SciPy.
+TEST(EventConditions, APoleBehindAnEventSpendsNoBudget) {
+  const HybridText text(R"text(
+states: {v: -65, u: -13}
+equations: {v: 0.04*v^2 + 5*v + 140 - u + 10, u: 0.02*(0.2*v - u)}
+time: {end: 200}
+events:
+  - {when: v - 30, rising: true, set: {v: -65, u: u + 8}}
+)text");
+  for (const char* solver : {"odeum/dormand_prince54", "odeum/verner98"}) {
+    const Outcome outcome = text.run(solver, 1e-11);
+    ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+    EXPECT_EQ(outcome.events.size(), 5U);
+    EXPECT_NEAR(outcome.states[outcome.states.size() - 2], -60.541141468, 1e-7) << solver;
+  }
+}
+
 }  // namespace
 }  // namespace odeum::tests::event_conditions_test

@@ -69,6 +69,13 @@ class EventProgress {
     part.budget.seconds -=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
+  /// Of a run for states within the steps that another one made. Each takes a step aside at most,
+  /// of several iterations; more is spent where a step ends in a pole behind an event.
+  void limit_within(Request& request, const Outcome& made) const {
+    limit(request);
+    request.budget.evaluations = std::min(
+        request.budget.evaluations, 10'000 + 4 * (detail::zero_degree + 1) * made.counters.work);
+  }
   Outcome tried(const PartRun& run, const std::vector<double>& y0, double t0,
                 const Request& request) {
     Outcome outcome = run(t0, y0, request);

@@ -93,7 +93,7 @@ class EventRun : EventProgress {
             t > (request.stops.empty() ? t_ : request.stops.back()))
           request.stops.push_back(t);
     if (request.stops.empty()) return {};
-    limit(request);
+    limit_within(request, outcome);
     const Outcome within = tried(run, y_, t_, request);
     const std::size_t n = y_.size(), reached = within.states.size() / n;
     const auto state_at = [&](double t) -> const double* {

@@ -97,7 +97,7 @@ class RunAsItComes : EventProgress {
       request.stops = outcome.step_ends;
       if (ahead < end_ && !request.stops.empty()) request.stops.pop_back();
       if (!request.stops.empty()) {
-        limit(request);
+        limit_within(request, outcome);
         const Outcome within = tried(run_, y_, t_, request);
         const std::size_t n = y_.size(), reached = within.states.size() / n;
         for (std::size_t k = 0; k < reached; ++k) {
