@@ -69,8 +69,8 @@ class EventProgress {
     part.budget.seconds -=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
-  /// Of a run for states within the steps that another one made. Each takes a step aside at most,
-  /// of several iterations; more is spent where a step ends in a pole behind an event.
+  /// The work of the steps made bounds that of a run for states within them: each takes a step
+  /// aside at most, of several iterations. More is spent where one ends in a pole behind an event.
   void limit_within(Request& request, const Outcome& made) const {
     limit(request);
     request.budget.evaluations = std::min(

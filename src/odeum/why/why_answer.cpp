@@ -198,8 +198,8 @@ std::string text_of(const Why& why, const Case& c, const advise::Asked& asked,
   const std::string command = command_of(why, c, asked);
   return text +
          (command.empty()
-              ? "next           none of those tried ends near the solution for less work, or "
-                "nearer to it\n"
+              ? "next           none of those tried at its tolerance ends clearly nearer to the "
+                "solution, or as near for less work\n"
               : fmt::format("next           {}\n", command));
 }
 
