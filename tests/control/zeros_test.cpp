@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace odeum::tests::zeros_test {
@@ -109,6 +110,31 @@ TEST(Zeros, JumpsAndValuesThatAreNotThere) {
   expect_times(zeros(jump, {0, 1}), {0.7}, 1e-12);
   const auto pole = [](double t) { return t < 0.5 ? std::nan("") : t - 0.75; };
   expect_times(zeros(pole, {0, 0.6, 1}), {0.75}, 1e-15);
+}
+
+TEST(Zeros, RoundingJustAfterAZeroIsNone) {
+  // 0.2 - 0.1 t^2 from 0.2, rounded upwards and downwards in turn
+  int turn = 0;
+  const auto g = [&](double t) { return -0.1 * t * t + (++turn % 2 ? 3e-17 : -3e-17); };
+  int found = 0;
+  ZeroSearch search;
+  search.begin();
+  search.round_within(1e-15);
+  for (const auto& [a, b] : {std::pair{0.0, 1e-6}, {1e-6, 1e-3}, {1e-3, 1.0}})
+    search(g, a, g(a), b, g(b), [&](const Zero&) { return ++found, false; });
+  EXPECT_EQ(found, 0);
+}
+
+TEST(Zeros, ARunThatWasMadeUpToAZeroLeavesIt) {
+  // Another run to the zero ended before it, by its own error.
+  const auto g = [](double t) { return std::sin(t) - 1e-6; };
+  std::vector<double> times;
+  ZeroSearch search;
+  search.begin(true, 2e-6);
+  for (const auto& [a, b] : {std::pair{0.0, 1e-7}, {1e-7, 1e-5}, {1e-5, 4.0}})
+    search(g, a, g(a), b, g(b), [&](const Zero& zero) { return times.push_back(zero.t), false; });
+  ASSERT_EQ(times.size(), 1U);
+  EXPECT_NEAR(times[0], M_PI - 1e-6, 1e-12);
 }
 
 TEST(Zeros, NoiseAloneEnds) {

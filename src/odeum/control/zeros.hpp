@@ -152,23 +152,28 @@ double sign_change(G& g, double a, double g0, double b, double g1) {
 class ZeroSearch {
  public:
   /// `at_zero`: the run begins at a zero, whatever rounding left of it, and the function's sign is
-  /// that to which it leaves.
-  void begin(bool at_zero = false) {
+  /// that to which it leaves; values up to `residue` are what a run that was made up to the zero
+  /// left of it, and have none.
+  void begin(bool at_zero = false, double residue = 0) {
     before_ = 0;
     fresh_ = true;
     flat_ = false;
     side_known_ = at_zero;
-    rest_ = 0;
+    rest_ = rounding_ = 0;
+    residue_ = residue;
   }
   /// The run begins beside a zero on a known side, 1 or -1: to leave it for the other is a zero.
-  void begin_beside(int side) {
-    begin(true);
+  void begin_beside(int side, double residue = 0) {
+    begin(true, residue);
     before_ = side;
   }
 
   /// The function rests at its zero while it is no larger than this, which is what rounding makes
   /// of it: no zero of it is one.
   void rest_within(double size) { rest_ = size; }
+  /// Values no larger than this are of rounding alone, as those of v - u just after v = u, and have
+  /// no sign.
+  void round_within(double size) { rounding_ = size; }
 
   /// The zeros of g in (a, b], where its values at the ends are ga and gb: found(Zero) of each in
   /// its order, until that returns true. g may return NaN where it has no value. Does not allocate.
@@ -199,7 +204,8 @@ class ZeroSearch {
       const bool sure = fit.excludes() || fit.monotone();
       const double middle = part.at(detail::zero_degree / 2);
       const bool short_part = !(part.a < middle && middle < part.b) || count >= most_depth;
-      const bool flat = !sure && (short_part || (fit.noise && fit.largest <= 1e-12 * scale));
+      const bool flat = !sure && (short_part || std::max(-fit.low, fit.high) < rounding_ ||
+                                  (fit.noise && fit.largest <= 1e-12 * scale));
       if (!sure && !flat && ++unsure <= most_unsure && ++halved <= most_halved) {
         parts[count++] = {middle, v[detail::zero_degree / 2], part.b, part.g1};
         parts[count++] = {part.a, part.g0, middle, v[detail::zero_degree / 2]};
@@ -244,7 +250,8 @@ class ZeroSearch {
       if (!last || before_ == 0 || part.g1 != 0) return false;
     }
     const double now = part.g1;
-    if (now == 0 && !last) return false;
+    if ((now == 0 && !last) || std::abs(now) <= residue_) return false;
+    residue_ = 0;
     const bool was_flat = std::exchange(flat_, false);
     const double before = before_;
     before_ = now;
@@ -264,7 +271,9 @@ class ZeroSearch {
   double before_ = 0;  ///< the last value that is not zero to within rounding, or 0
   double flat_from_ = 0, flat_value_ = 0, flat_to_ = 0;
   bool side_known_ = false, fresh_ = true, flat_ = false;
-  double rest_ = 0;  ///< see rest_within
+  double rest_ = 0;      ///< see rest_within
+  double rounding_ = 0;  ///< see round_within
+  double residue_ = 0;   ///< until it has left the zero that it began at
 };
 
 }  // namespace odeum

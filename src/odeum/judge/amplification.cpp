@@ -76,6 +76,23 @@ void require_truth(const Case& c, const std::vector<double>& stops, const Path& 
                                            error.error_rms, error.time));
 }
 
+/// The units of errors that steps make, at each time of a path: none in a state that changes at
+/// events alone, whose rate is zero along the path.
+std::vector<States> units_along(const Case& c, const Tolerance& asked, const Path& path) {
+  std::vector<States> units;
+  for (const States& y : path.states) units.push_back(units_of(asked, y));
+  if (!c.problem.events) return units;
+  States rates(c.y0.size()), most(c.y0.size());
+  for (std::size_t k = 0; k < path.times.size(); ++k) {
+    c.problem.view.rhs(c.problem.view.problem, path.times[k], path.states[k].data(), rates.data());
+    for (std::size_t i = 0; i < rates.size(); ++i) most[i] = std::max(most[i], std::abs(rates[i]));
+  }
+  for (States& at : units)
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (most[i] == 0) at[i] = 0;
+  return units;
+}
+
 /// Phi(next, t) for two neighbouring times of a path, row-major.
 States step_matrix(const Tolerance& finest, Flow& flow, const Path& path, std::size_t k) {
   const States& from = path.states[k];
@@ -112,8 +129,8 @@ void by_all_columns(const Case& c, Flow& flow, const std::vector<double>& stops,
                     const Tolerance& asked, Amplification& result) {
   const Path path = path_of(c, flow, stops, checkpoints);
   require_truth(c, stops, path);
-  std::vector<States> matrices, units;
-  for (const States& y : path.states) units.push_back(units_of(asked, y));
+  std::vector<States> matrices;
+  const std::vector<States> units = units_along(c, asked, path);
   for (std::size_t k = 0; k + 1 < path.times.size(); ++k)
     matrices.push_back(step_matrix(finest_of(c, asked, tolerance), flow, path, k));
   for (std::size_t stop = 0; stop < stops.size(); ++stop) {

@@ -11,6 +11,7 @@
 
 #include "odeum/core/guarded.hpp"
 #include "odeum/problem/events.hpp"
+#include "odeum/solvers/event_run.hpp"
 #include "odeum/solvers/own_methods.hpp"
 #include "odeum/solvers/pieces.hpp"
 
@@ -112,6 +113,7 @@ Flow::Flow(const Case& c, double end, const char* explicit_method, const Toleran
     throw std::runtime_error(fmt::format("{} to {:.0e} ends {}, {}", method_, tolerance.relative,
                                          to_string(outcome.status), outcome.detail));
   std::ranges::sort(evaluated_);
+  for (const EventMet& event : outcome.events) happened_.push_back(event.t);
 }
 
 std::vector<double> Flow::solve(double start, const std::vector<double>& y,
@@ -135,7 +137,8 @@ std::vector<double> Flow::checkpoints(const std::vector<double>& stops, std::siz
   std::vector<double> times = stops;
   times.push_back(case_.t0);
   for (std::size_t k = 1; k <= count; ++k)
-    times.push_back(evaluated_[k * evaluated_.size() / (count + 1)]);
+    times.push_back(between_events(evaluated_[k * evaluated_.size() / (count + 1)], happened_,
+                                   case_.t0, stops.back()));
   std::ranges::sort(times);
   std::vector<double> apart;
   for (const double t : times) {

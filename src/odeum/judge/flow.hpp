@@ -23,7 +23,7 @@ class Flow {
   std::vector<double> states(const std::vector<double>& stops, double relative) const;
 
   /// The case's start, the stops, and `count` times between that part the evaluations of the run to
-  /// the end evenly; ascending.
+  /// the end evenly, each between two events that are near and not at one; ascending.
   std::vector<double> checkpoints(const std::vector<double>& stops, std::size_t count) const;
 
  private:
@@ -31,6 +31,7 @@ class Flow {
   const char* method_;
   Tolerance tolerance_;
   std::vector<double> evaluated_;  ///< the times of evaluations, ascending
+  std::vector<double> happened_;   ///< those of events
 };
 
 }  // namespace odeum::judge

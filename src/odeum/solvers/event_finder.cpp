@@ -23,22 +23,28 @@ EventFinder::EventFinder(const Events& events, std::size_t states)
       searches_(events.senses.size()),
       senses_(events.senses.size(), 0) {}
 
-void EventFinder::begin(const Found& happened, const EventCourse& course) {
+void EventFinder::begin(const Found& happened, const EventCourse& course,
+                        const std::vector<double>& before) {
   rests_known_ = false;
+  const auto fired = [](const Found& found, std::size_t k) {
+    return std::ranges::find(found.functions, k) != found.functions.end();
+  };
+  if (!before.empty()) events_.functions(happened.t, before.data(), values_.data());
+  const auto residue = [&](std::size_t k) {
+    return before.empty() || !(fired(happened, k) || senses_[k] != 0) ? 0
+                                                                      : 2 * std::abs(values_[k]);
+  };
   for (std::size_t k = events_.of_events; k < searches_.size(); ++k) {
     const int side = course.side(k);
-    side == 0 ? searches_[k].begin(true) : searches_[k].begin_beside(side);
+    side == 0 ? searches_[k].begin(true, residue(k)) : searches_[k].begin_beside(side, residue(k));
   }
   for (std::size_t k = 0; k < events_.of_events; ++k) {
-    const auto fired = [k](const Found& found) {
-      return std::ranges::find(found.functions, k) != found.functions.end();
-    };
-    if (fired(happened)) {
-      searches_[k].begin(true);
+    if (fired(happened, k)) {
+      searches_[k].begin(true, residue(k));
     } else if (happened && senses_[k] != 0) {
       // It is on the far side of a zero, or came back from there by another event at once.
-      const bool is_back = happens_with(before_.t, happened.t) && fired(before_);
-      searches_[k].begin_beside(is_back ? -senses_[k] : senses_[k]);
+      const bool is_back = happens_with(before_.t, happened.t) && fired(before_, k);
+      searches_[k].begin_beside(is_back ? -senses_[k] : senses_[k], residue(k));
     } else {
       searches_[k].begin();
     }
@@ -76,8 +82,10 @@ void EventFinder::find_rests(double t, const StateAt& state) {
     if (each != kept) add(t);
     each = kept;
   }
-  for (std::size_t k = 0; k < at.size(); ++k)
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    searches_[k].round_within(moved[k] / 16);
     if (std::abs(at[k]) <= moved[k]) searches_[k].rest_within(moved[k]);
+  }
 }
 
 EventFinder::Found EventFinder::look(double a, double b, const StateAt& state) {

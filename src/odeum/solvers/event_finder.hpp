@@ -24,7 +24,8 @@ class EventFinder {
   EventFinder(const Events& events, std::size_t states);
 
   /// After events at a time, or at a start (none of them); with the signs that the run has.
-  void begin(const Found& happened, const EventCourse& course);
+  /// `before`: the state there before them, which is not exactly at the zeros; empty: not known.
+  void begin(const Found& happened, const EventCourse& course, const std::vector<double>& before);
   /// What crossed zero at the time found last.
   std::vector<EventCourse::Crossing> crossings(const Found& found) const;
   /// Looks at a step whose states are given: the first events in it.

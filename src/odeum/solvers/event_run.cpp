@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "odeum/kernel/dense_output.hpp"
@@ -27,7 +28,7 @@ class EventRun : EventProgress {
   Outcome operator()() {
     if (const std::string why = refusal(grid_); !why.empty()) return refused(why);
     happen({});
-    finder_.begin({}, *course_);
+    finder_.begin({}, *course_, {});
     std::vector<Switch> cuts;
     if (contest_.switches && !fixed_) cuts = contest_.switches(t_, end_);
     double first = -Piece::unbounded;
@@ -47,7 +48,7 @@ class EventRun : EventProgress {
       if (same_time(switched, next)) first = cut++->after;
       if (!same_time(by_clock, next)) continue;
       happen({});
-      finder_.begin({}, *course_);
+      finder_.begin({}, *course_, {});
     }
     return std::move(all_);
   }
@@ -75,8 +76,9 @@ class EventRun : EventProgress {
   void arrive(const Found& found, Way&& way) {
     if (found.t > t_) way();
     if (!go_on_) return;
+    const std::vector<double> before = y_;
     happen_at(finder_.crossings(found));
-    finder_.begin(found, *course_);
+    finder_.begin(found, *course_, before);
   }
 
   /// Looks into the steps of a run, whose states are asked of another one.
@@ -223,6 +225,15 @@ double without_end_since(const std::vector<double>& times, double span) {
   if (times.size() <= many) return std::numeric_limits<double>::quiet_NaN();
   const double since = times[times.size() - 1 - many];
   return times.back() - since > little * span ? std::numeric_limits<double>::quiet_NaN() : since;
+}
+
+double between_events(double t, const std::vector<double>& times, double begin, double end) {
+  const auto after = std::ranges::upper_bound(times, t);
+  const double low = after == times.begin() ? begin : *std::prev(after),
+               high = after == times.end() ? end : *after, quarter = (high - low) / 4;
+  const bool near =
+      (after != times.begin() && t < low + quarter) || (after != times.end() && t > high - quarter);
+  return near ? low + 2 * quarter : t;
 }
 
 Outcome run_with_events(const ErasedContest& contest, const Request& request,

@@ -31,6 +31,11 @@ Outcome run_with_events(const ErasedContest& contest, const Request& request,
 /// where they do not.
 double without_end_since(const std::vector<double>& times, double span);
 
+/// The time t, moved to the middle between the two events beside it where it is near to one: what
+/// two runs that begin there differ by has then the derivatives of the times of events and of what
+/// they reset. `times`: of the events, ascending; the run is from begin to end.
+double between_events(double t, const std::vector<double>& times, double begin, double end);
+
 /// A run that locates nothing: events are looked at where its steps end, by the signs of their
 /// functions and by the clock, and happen there. `run` has the whole problem, whose right-hand side
 /// changes as it may within a step.

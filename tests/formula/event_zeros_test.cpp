@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Zeros of events that rounding and the errors of runs blur.
+#include <gtest/gtest.h>
+
+#include "support/hybrid_text.hpp"
+
+namespace odeum::tests::event_zeros_test {
+namespace {
+
+// A belt and a mass that begins to slip tangentially: v - belt is then of rounding alone. The right
+// end is that of SciPy, see tests/outside/hybrid.
+TEST(EventZeros, WhatLeavesAThresholdTangentiallyIsNoEvent) {
+  const HybridText text(R"text(
+parameters: {belt: 0.2, grip: 1, delta: 3}
+states: {x: 0, v: 0.2, slip: 0}
+equations:
+  x: "if(slip > 0.5, v, belt)"
+  v: "if(slip > 0.5, -x + grip/(1 + delta*(belt - v)), 0)"
+  slip: 0
+time: {end: 25}
+events:
+  - {when: x - grip, rising: true, set: {slip: 1}}
+  - {when: v - belt, rising: true, set: {slip: 0, v: belt}}
+)text");
+  for (const char* id : {"odeum/dormand_prince54", "odeum/rodas4", "odeum/radau_iia5"}) {
+    const Outcome outcome = text.run(id, 1e-8);
+    ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+    EXPECT_EQ(outcome.events.size(), 4U) << id;
+    EXPECT_NEAR(outcome.states.end()[-3], 0.199587481, 1e-6) << id;  // 100 tolerances
+  }
+}
+
+// A run to an event is another one than that in which it was found, and may end on its other side.
+TEST(EventZeros, AnEventIsOneHoweverItsRunEnds) {
+  const HybridText text(R"text(
+states: {y: 0, v: 1, count: 0}
+equations: {y: v, v: -y, count: 0}
+time: {end: 50}
+events:
+  - {when: y, set: {count: count + 1}}
+)text");
+  for (const char* id :
+       {"odeum/dormand_prince54", "odeum/rodas4", "cvode/bdf", "cvode/adams", "gsl/msbdf"}) {
+    const Entrants entrants = cases::enroll(text.contest);
+    if (!entrants.find(id)) continue;
+    const Outcome outcome = text.run(id, 1e-6);
+    ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+    EXPECT_EQ(outcome.events.size(), 15U) << id;  // 50 / pi, rounded down
+  }
+}
+
+}  // namespace
+}  // namespace odeum::tests::event_zeros_test
