@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Zeros of events that rounding and the errors of runs blur.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/hybrid_text.hpp"
@@ -28,6 +29,39 @@ events:
     EXPECT_EQ(outcome.events.size(), 4U) << id;
     EXPECT_NEAR(outcome.states.end()[-3], 0.199587481, 1e-6) << id;  // 100 tolerances
   }
+}
+
+// Two or three roots within one step: by every own solver that runs to a tolerance, from any start.
+TEST(EventZeros, AllRootsOfACubicByEveryOwnSolver) {
+  int runs = 0;
+  for (const double start : {-20.0, -5.9}) {
+    const HybridText text(fmt::format(
+        R"text(
+states: {{y: {}, n: 0, sum: 0}}
+equations: {{y: 3*t^2 + 12*t - 4, n: 0, sum: 0}}
+time: {{start: {}, end: 50}}
+events:
+  - {{when: y, set: {{n: n + 1, sum: sum + t}}}}
+)text",
+        (start + 6) * (start + 2) * (start - 2), start));
+    const double n = start < -6   ? 3
+                     : start < -2 ? 2
+                                  : 1,
+                 sum = start < -6   ? -6
+                       : start < -2 ? 0
+                                    : 2;
+    for (const Entrant& entrant : cases::enroll(text.contest)) {
+      const SolverInfo& info = entrant.info;
+      if (info.library != "odeum" || !entrant.unfit.empty() || !info.adaptive || info.order < 2)
+        continue;
+      const Outcome outcome = text.run(info.id(), 1e-6);
+      ASSERT_EQ(outcome.status, Status::ok) << info.id() << ' ' << outcome.detail;
+      ++runs;
+      EXPECT_NEAR(outcome.states.end()[-2], n, 1e-9) << info.id() << " from " << start;
+      EXPECT_NEAR(outcome.states.end()[-1], sum, 0.1) << info.id() << " from " << start;
+    }
+  }
+  EXPECT_GE(runs, 2 * 40);
 }
 
 // A run to an event is another one than that in which it was found, and may end on its other side.
