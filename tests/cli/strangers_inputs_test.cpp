@@ -106,6 +106,17 @@ TEST(StrangersInput, ASlopeWithoutBoundIsNoEndOfTheSolution) {
   EXPECT_EQ(runs[0]["status"], "ok") << runs;
 }
 
+// A body with dry friction comes to rest. The slowness was put down to the derivative of its own
+// right-hand side, which is right.
+TEST(StrangersInput, WhyNamesSlidingWhereFrictionHoldsABody) {
+  const StrangersInput input(
+      "parameters: {k: 100, m: 1, F: 10}\nstates: {x: 1, v: 0}\n"
+      "equations: {x: v, v: -k/m*x - F/m*sign(v)}\ntime: {end: 10}\n");
+  const Result why = input("why its.yaml --solver cvode/bdf --tol 1e-6 --until 1.58");
+  EXPECT_NE(why.output.find("both sides lead there"), std::string::npos) << why.output;
+  EXPECT_EQ(why.output.find("Jacobian given"), std::string::npos) << why.output;
+}
+
 // At rest but for the rounding of positions: an energy of 1.3e-27 J was called a blow-up.
 TEST(StrangersInput, AnEnergyOfRoundingIsNoBlowUp) {
   const StrangersInput input(
