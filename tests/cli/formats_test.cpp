@@ -41,8 +41,8 @@ TEST_P(Formats, AreTheSameForEveryCommand) {
 
 INSTANTIATE_TEST_SUITE_P(, Formats,
                          testing::Values("list scenes", "run my.yaml --solver rk4 --step 0.1",
-                                         "advise my.yaml --error 1e-3 --seconds 1",
-                                         "why my.yaml --solver rk4 --step 0.1 --seconds 1",
+                                         "advise my.yaml --error 1e-3 --seconds 600",
+                                         "why my.yaml --solver rk4 --step 0.1 --seconds 600",
                                          "sweep my.yaml --over k=1,2 --solver rk4 --step 0.1",
                                          "converge osc_under --solver rk4 --quick --out out"));
 

@@ -44,8 +44,8 @@ TEST(OneReading, EachCommandOpensThePersonsFileOnce) {
   write_text(file, text);
   for (const std::string command :
        {"run {} --solver rk4 --step 0.1", "run {}", "run {} --solver rk4 --step 0.1 --code",
-        "list solvers {}", "verify {}", "why {} --solver rk4 --step 0.1 --seconds 2",
-        "sweep {} --solver rk4 --step 0.1 --over k=0,1", "advise {} --error 1e-3 --seconds 2"})
+        "list solvers {}", "verify {}", "why {} --solver rk4 --step 0.1 --seconds 600",
+        "sweep {} --solver rk4 --step 0.1 --over k=0,1", "advise {} --error 1e-3 --seconds 600"})
     EXPECT_EQ(openings_of(file, fmt::format("export XDG_CACHE_HOME='{}' && odeum {}",
                                             folder.path().string(),
                                             fmt::format(fmt::runtime(command), file))),

@@ -30,7 +30,7 @@ constexpr const char* commands[] = {
     "stability free_fall --solver heun --out out",
     "drift kepler_e06 --solver rk4 --out out",
     "precision dahlquist_real --solver rk4 --seconds 0.05 --out out",
-    "advise dahlquist_real --error 1e-3 --solver odeum/rk4 --seconds 1",
+    "advise dahlquist_real --error 1e-3 --solver odeum/rk4 --seconds 600",
     "why dahlquist_real --solver odeum/rk4 --step 0.1",
     "sweep lotka_volterra --over a=1,1.5 --solver rk4 --step 0.1 --out out",
     "plan converge free_fall --solver rk4 --quick --shards 1 --out plan",

@@ -4,24 +4,20 @@
 
 tests/fuzz/campaign.py [--minutes M | --seconds S] [--seed N] [--program FILE] [--kind KIND]... [--keep DIR]
 
-An hour by `tests/fuzz/campaign.py --minutes 60`; the test `fuzz` takes 60 s. Kinds: text, scene, mesh, members, tableau,
-model (an FMU), species (SBML), network, brought (trajectories that `judge` reads), folder (that `compare` reads), plan, part,
+An hour by `tests/fuzz/campaign.py --minutes 60`; the test `fuzz` takes 60 s. Kinds: text, table (of a text), scene, mesh, members,
+tableau, model (an FMU), species (SBML), network, brought (trajectories that `judge` reads), folder (that `compare` reads), plan, part,
 cache, signal. A file of each is damaged (bytes, spans, lines, numbers, words), and commands read it. Each
 has to end with an exit code of the contract, by itself or within 5 s of a SIGTERM that comes after 10 s, with at most 4 GB of
 memory, without a word of an abort, and with nothing left in its working folder, its temporary folder, and, of what is
 unfinished, in its cache. A damaged plan or part is refused, or gives the same rows; a damaged cache gives the same output. By
 `signal` commands that read no damaged file are ended at a random time. The input of a failure is kept in DIR (fuzz-failures).
 Exit code 1 where something failed. Needs the standard library alone."""
-import argparse, io, json, os, pathlib, random, re, resource, shutil, signal, struct, subprocess, sys, tempfile, time, zipfile
+import argparse, io, os, pathlib, random, re, resource, shutil, signal, subprocess, sys, tempfile, time, zipfile
 
-root = pathlib.Path(__file__).resolve().parent.parent.parent
+from damage import damaged, decay, files_of_kinds, root
+
 patience, heard, memory = 10, 5, 4 << 20  # seconds, seconds, kB
 words = re.compile(r"terminate called|Assertion|runtime error|AddressSanitizer|out of memory|stack smashing|free\(\)|malloc\(\)")
-tokens = [b"nan", b"-inf", b"1e999", b"1e18", b"-1", b"0", b"1e-320", b"18446744073709551616", b"\x00", b"\xff\xfe", b"\x1b[2J",
-          "\u202e".encode(), b"[" * 200, b"{" * 200, b"(" * 3000, b"&a [*a]",
-          b"*a", b"\n---\n", b"\t", b"\r", b"'", b'"', b"%n%s",
-          b"../../x", b"/dev/zero", b"!!binary ", b"|", b": ", b"- ", b"<!DOCTYPE x [<!ENTITY e SYSTEM 'file:///etc/passwd'>]>"]
-decay = "parameters: {k: 1}\nstates: {x: 1}\nequations: {x: -k*x}\ntime: {end: 2}\n"
 signalled = [
     "run stiff.yaml --solver rk4 --step 1e-6", "run stiff.yaml --solver radau_iia5 --tol 1e-9", "run hanging_cloth", "converge",
     "run cloth_on_sphere --film 20",
@@ -30,44 +26,6 @@ signalled = [
     "evolution", "proof", "sweep stiff.yaml --over k=1..2:100000 --solver rk4 --step 1e-4", "plan converge --shards 3",
     "plan sweep stiff.yaml --over k=1..2:100000 --solver rk4 --step 1e-4 --shards 3",
     "sweep stiff.yaml --over k=1..2:50 --study converge --solver rk4"]
-square = re.search(r'R"\((.*?)\)"', (root / "tests/support/gmsh_text.hpp").read_text(), re.S).group(1)
-
-
-def texts(*patterns):
-    return [path.read_bytes() for pattern in patterns for path in sorted(root.glob(pattern))]
-
-
-def damaged(data, rng, others):
-    """Bytes with one to four changes; many keep the form of the text."""
-    data = bytearray(data)
-    for _ in range(rng.choice([1, 1, 2, 4])):
-        at, to = sorted(rng.randrange(len(data) + 1) for _ in range(2))
-        to = min(to, at + 200)
-        change = rng.randrange(9)
-        numbers = [m.span() for m in re.finditer(rb"\d+\.?\d*(?:e[-+]?\d+)?", bytes(data))]
-        if change == 0 and data:
-            data[min(at, len(data) - 1)] ^= 1 << rng.randrange(8)
-        elif change == 1:
-            del data[at:to]
-        elif change == 2:
-            data[at:at] = bytes(data[at:to]) * rng.choice([1, 2, 50])
-        elif change == 3:
-            data[at:at] = rng.choice(tokens)
-        elif change in (4, 5) and numbers:
-            begin, end = rng.choice(numbers)
-            data[begin:end] = rng.choice(tokens[:8] + [b"2", b"3.5", b"7"])
-        elif change == 6:
-            del data[at:]
-        elif change == 7:
-            lines = bytes(data).split(b"\n")
-            a, b = rng.randrange(len(lines)), rng.randrange(len(lines))
-            lines[a], lines[b] = lines[b], lines[a]
-            data = bytearray(b"\n".join(lines))
-        else:
-            other = rng.choice(others)
-            cut = rng.randrange(len(other) + 1)
-            data[at:to] = other[cut:cut + rng.randrange(200)]
-    return bytes(data)
 
 
 class Failure(Exception):
@@ -80,34 +38,9 @@ class Campaign:
         self.base = pathlib.Path(tempfile.mkdtemp(prefix="odeum-fuzz-"))
         self.place, self.temporary, self.cache = (self.base / name for name in ("place", "tmp", "cache"))
         self.count, self.failures, self.peak, self.longest = 0, 0, 0, 0.0
-        self.seeds = {
-            "text": texts("tests/outside/texts/*.yaml", "cases/problems/*.yaml", "cases/*.yaml") + [decay.encode()],
-            "scene": texts("cases/scenes/*.yaml"),
-            "mesh": [square.encode()],
-            "members": [b"k\n1\n2\n0.5\n", b"k, x0\n1,2\n3,4\n"],
-            "tableau": texts("cases/tableaus/*.yaml"),
-            "model": [self.model(version) for version in (2, 3)],
-            "species": texts("tests/outside/sbml/*.xml"),
-            "network": texts("tests/outside/networks/*.net"),
-            "brought": [b"t,x\n0,1\n0.5,0.6\n1,0.37\n2,0.14\n", b"# t x\n0 1\n1 0.4\n2 0.1\n", self.array()],
-        }
+        self.seeds = files_of_kinds()
         for folder in (self.place, self.temporary, self.cache):
             folder.mkdir()
-
-    @staticmethod
-    def model(version):
-        archive = io.BytesIO()
-        with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as zipped:
-            zipped.writestr("modelDescription.xml", (root / f"tests/package/fmi/fmi{version}.xml").read_text())
-            platform = "linux64" if version == 2 else "x86_64-linux"
-            zipped.writestr(f"binaries/{platform}/oscillator.so", b"\x7fELF")
-        return archive.getvalue()
-
-    @staticmethod
-    def array():
-        """Three rows of t and x in NumPy's format."""
-        head = b"{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }".ljust(117) + b"\n"
-        return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head + struct.pack("<6d", 0, 1, 1, 0.4, 2, 0.1)
 
     def run(self, arguments, codes=(0, 1, 2, 3, 4, 130), compiler=True, patience=patience):
         """Its exit code and standard output; a Failure where it does not end well."""
@@ -177,6 +110,14 @@ class Campaign:
         file = self.file("text", "problem.yaml")
         self.run(["run", file, "--solver", "heun", "--step", "0.1", "--until", "0.5", "--no-truth"],
                  compiler=self.rng.random() < 0.3)
+
+    def table(self):
+        self.file("table", "wind.csv")
+        between, outside = self.rng.choice(["linear", "cubic", "constant"]), self.rng.choice(["error", "hold", "extrapolate"])
+        (self.place / "driven.yaml").write_text(
+            f"tables: {{wind: {{file: wind.csv, columns: [time, speed], between: {between}, outside: {outside}}}}}\n"
+            "states: {x: 1}\nequations: {x: wind(t) - x}\ntime: {end: 1.5}\n")
+        self.run(["run", "driven.yaml", "--solver", "heun", "--step", "0.1", "--no-truth"], compiler=False)
 
     def scene(self):
         self.run(["run", self.file("scene", "scene.yaml"), "--until", "0.01"])
@@ -300,7 +241,7 @@ def main():
     parser.add_argument("--kind", action="append")
     parser.add_argument("--keep", default="fuzz-failures")
     given = parser.parse_args()
-    kinds = given.kind or ["text", "scene", "mesh", "members", "tableau", "model", "species", "network", "brought", "folder",
+    kinds = given.kind or ["text", "table", "scene", "mesh", "members", "tableau", "model", "species", "network", "brought", "folder",
                            "plan", "part", "cache", "signal"]
     campaign = Campaign(given.program, given.seed, given.keep)
     end = time.monotonic() + (60 * given.minutes + given.seconds or 60)
