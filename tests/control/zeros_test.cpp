@@ -105,6 +105,11 @@ TEST(Zeros, AtTheEndsOfSteps) {
   expect_times(zeros(g, {0, std::nextafter(0.5, 1), 1}), {0.5}, 1e-15);
 }
 
+TEST(Zeros, AtTheEndOfTheLastStep) {
+  expect_times(zeros([](double t) { return t - 1; }, {0, 0.5, 1}), {1}, 0);
+  expect_times(zeros([](double t) { return 1 - t; }, {0, 1}), {1}, 0);
+}
+
 TEST(Zeros, JumpsAndValuesThatAreNotThere) {
   const auto jump = [](double t) { return t < 0.7 ? -1.0 : 1.0; };
   expect_times(zeros(jump, {0, 1}), {0.7}, 1e-12);

@@ -250,7 +250,7 @@ class ZeroSearch {
       if (!last || before_ == 0 || part.g1 != 0) return false;
     }
     const double now = part.g1;
-    if ((now == 0 && !last) || std::abs(now) <= residue_) return false;
+    if ((now == 0 && !last) || (residue_ > 0 && std::abs(now) <= residue_)) return false;
     residue_ = 0;
     const bool was_flat = std::exchange(flat_, false);
     const double before = before_;
