@@ -63,6 +63,8 @@ Variable variable_of(const Node& node, const Node& typed) {
   v.is_time = causality == "independent";
   v.is_parameter = causality == "parameter";
   v.is_input = causality == "input";
+  v.is_output = causality == "output";
+  v.is_discrete = variability.empty() ? !v.is_real() : variability != "continuous";
   v.is_array = !!node.child("Dimension");
   v.settable = variability != "constant" && !v.is_time &&
                (v.is_parameter || v.is_input || initial == "exact" || initial == "approx");
@@ -94,9 +96,13 @@ void read_variables(const Node& root, const std::string& xml, Description& d) {
       for (const char* type : {"Real", "Integer", "Boolean", "String", "Enumeration"})
         if (const Node child = node.child(type)) typed = child;
     if (d.version == 3 && std::strcmp(node.name(), "Clock") == 0)
-      refuse("the model has clocks, that is, events, which are not followed");
+      refuse(fmt::format("the model has the clock {}; clocks are not followed",
+                         text_of(node, "name")));
     d.variables.push_back(variable_of(node, typed));
     const Variable& v = d.variables.back();
+    const bool shown = !v.is_array && v.type != "String" && v.type != "Binary";
+    if (v.is_output && shown) d.outputs.push_back(d.variables.size() - 1);
+    if (v.is_output && !shown) d.unshown.push_back(v.name);
     std::string fault = fault_of(v);
     if (fault.empty() && !names.insert(v.name).second)
       fault = fmt::format("variable {}: there are two of that name", v.name);
@@ -170,15 +176,25 @@ void read_structure(const Node& root, Description& d) {
     for (const Node& unknown : model.children("ContinuousStateDerivative")) add(unknown);
 }
 
-void refuse_events(const Node& root, int version) {
-  const std::uint32_t indicators =
-      version == 2 ? number_of<std::uint32_t>(root, "numberOfEventIndicators", 0)
-                   : static_cast<std::uint32_t>(std::distance(
-                         root.child("ModelStructure").children("EventIndicator").begin(),
-                         root.child("ModelStructure").children("EventIndicator").end()));
-  if (indicators > 0)
-    refuse(fmt::format("the model has state events ({} event indicators), which are not followed",
-                       indicators));
+/// Why the model is not one for Model Exchange.
+std::string other_purpose(const Node& root) {
+  if (root.child("CoSimulation"))
+    return "the model is for co-simulation only: it brings its own integrator";
+  if (root.child("ScheduledExecution"))
+    return "the model is for scheduled execution only, whose clocks are not followed";
+  return "the model is not for Model Exchange";
+}
+
+/// What it says of events.
+void read_events(const Node& root, const Node& exchange, Description& d) {
+  d.indicators = number_of<std::uint32_t>(root, "numberOfEventIndicators", 0);
+  d.has_indicators =
+      d.version == 2 ? d.indicators > 0 : !!root.child("ModelStructure").child("EventIndicator");
+  if (d.version == 2) {
+    d.completes_steps = !flag(exchange, "completedIntegratorStepNotNeeded");
+  } else if (exchange.attribute("needsCompletedIntegratorStep")) {
+    d.completes_steps = d.acts_at_steps = flag(exchange, "needsCompletedIntegratorStep");
+  }
 }
 
 void read_experiment(const Node& root, Description& d) {
@@ -211,10 +227,7 @@ Description read_description(const std::string& xml) {
     refuse(fmt::format("fmiVersion is \"{}\", expected 2.0 or 3.0", version));
   d.version = version == "2.0" ? 2 : 3;
   const Node exchange = root.child("ModelExchange");
-  if (!exchange)
-    refuse(root.child("CoSimulation")
-               ? "the model is for co-simulation only: it brings its own integrator"
-               : "the model is not for Model Exchange");
+  if (!exchange) refuse(other_purpose(root));
   d.model = text_of(root, "modelName");
   d.text = text_of(root, "description");
   d.identifier = exchange.attribute("modelIdentifier").as_string();
@@ -226,11 +239,7 @@ Description read_description(const std::string& xml) {
                                                             : "providesDirectionalDerivatives");
   if (flag(exchange, "needsExecutionTool"))
     refuse("the model needs its simulation tool beside it (needsExecutionTool)");
-  if (flag(exchange, "needsCompletedIntegratorStep"))
-    refuse(
-        "the model acts at the end of steps (needsCompletedIntegratorStep): it is not a "
-        "differential equation alone");
-  refuse_events(root, d.version);
+  read_events(root, exchange, d);
   read_experiment(root, d);
   read_variables(root, xml, d);
   read_structure(root, d);

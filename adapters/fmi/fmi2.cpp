@@ -5,7 +5,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ struct Callbacks {
   void (*step_finished)(void* environment, int status);
   void* environment;
 };
-struct EventInfo {
+struct Said {
   int more_needed, terminate, nominals_changed, states_changed, next_time_defined;
   double next_time;
 };
@@ -35,13 +35,14 @@ using Instantiate = void* (*)(const char* name, int type, const char* guid, cons
                               const Callbacks* callbacks, int visible, int logging);
 using SetUp = int (*)(void*, int tolerance_defined, double tolerance, double start,
                       int stop_defined, double stop);
-using Plain = int (*)(void*);
 using SetReal = int (*)(void*, const unsigned* references, std::size_t n, const double* values);
 using SetInteger = int (*)(void*, const unsigned* references, std::size_t n, const int* values);
-using NewDiscreteStates = int (*)(void*, EventInfo*);
+using NewDiscreteStates = int (*)(void*, Said*);
 using CompletedStep = int (*)(void*, int no_return, int* event_mode, int* terminate);
 using SetTime = int (*)(void*, double t);
 using SetStates = int (*)(void*, const double* y, std::size_t n);
+using GetReal = int (*)(void*, const unsigned* references, std::size_t n, double* values);
+using GetInteger = int (*)(void*, const unsigned* references, std::size_t n, int* values);
 using GetNumbers = int (*)(void*, double* values, std::size_t n);
 using Directional = int (*)(void*, const unsigned* unknowns, std::size_t, const unsigned* knowns,
                             std::size_t, const double* seed, double* sensitivity);
@@ -63,14 +64,18 @@ constexpr int model_exchange = 0;
 class Fmi2 final : public Model {
  public:
   Fmi2(const Description& d, const Binary& binary, const std::filesystem::path& folder,
-       const Values& values)
-      : set_time_(binary.function<SetTime>("fmi2SetTime")),
-        set_states_(binary.function<SetStates>("fmi2SetContinuousStates")),
-        derivatives_(binary.function<GetNumbers>("fmi2GetDerivatives")) {
+       const Values& values, const Inputs* inputs)
+      : Model("fmi2", d, binary, inputs),
+        set_time_(binary.function<SetTime>("fmi2SetTime")),
+        complete_step_(binary.function<CompletedStep>("fmi2CompletedIntegratorStep")) {
     const std::string version = binary.function<GetVersion>("fmi2GetVersion")();
     if (version != "2.0")
       throw LoadError(fmt::format("its binary is of FMI version \"{}\", its description of 2.0",
                                   foreign::cleaned(version.c_str())));
+    if (!d.states.empty()) {
+      set_states_ = binary.function<SetStates>("fmi2SetContinuousStates");
+      derivatives_ = binary.function<GetNumbers>("fmi2GetDerivatives");
+    }
     static const Callbacks callbacks{note, std::calloc, std::free, nullptr, nullptr};
     const std::string resources = "file://" + (folder / "resources").string();
     self_ = binary.function<Instantiate>("fmi2Instantiate")(
@@ -78,77 +83,90 @@ class Fmi2 final : public Model {
     if (!self_)
       throw LoadError(fmt::format("fmi2Instantiate failed{}{}", last_message().empty() ? "" : ": ",
                                   last_message()));
-    set(binary, settings_of(d, values));
-    initialise(d, binary);
-    y0.resize(d.states.size());
-    if (y0.empty()) throw LoadError("the model has no continuous states");
-    require(binary.function<GetNumbers>("fmi2GetContinuousStates")(self_, y0.data(), y0.size()),
-            "fmi2GetContinuousStates");
-    if (d.directional_derivatives) {
+    initialise(values);
+    if (d.directional_derivatives && has_states) {
       directional_ = binary.function<Directional>("fmi2GetDirectionalDerivative");
       for (const std::size_t i : d.states) states_.push_back(d.variables[i].reference);
       for (const std::size_t i : d.derivatives) rates_.push_back(d.variables[i].reference);
-      has_jacobian_ = true;
+      has_jacobian = true;
     }
   }
 
  private:
-  void set(const Binary& binary, const std::vector<Setting>& settings) {
-    for (const Setting& s : settings) {
-      const std::string& type = s.variable->type;
-      const unsigned reference = s.variable->reference;
-      if (type == "Real") {
-        const double value = s.real();
-        require(binary.function<SetReal>("fmi2SetReal")(self_, &reference, 1, &value),
-                "fmi2SetReal");
-        continue;
-      }
-      if (type != "Integer" && type != "Enumeration" && type != "Boolean")
-        throw LoadError(fmt::format("--set {}: a {} cannot be set", s.variable->name, type));
-      const bool truth = type == "Boolean";
-      using Limits = std::numeric_limits<int>;
-      const int value =
-          truth ? s.boolean() : static_cast<int>(s.integer(Limits::min(), Limits::max()));
-      const char* const name = truth ? "fmi2SetBoolean" : "fmi2SetInteger";
-      require(binary.function<SetInteger>(name)(self_, &reference, 1, &value), name);
+  void set(const Setting& setting) override {
+    const Variable& variable = *setting.variable;
+    const unsigned* const reference = &variable.reference;
+    if (!with_value(setting, 2, [&](auto value) {
+          using Value = decltype(value);
+          if constexpr (std::is_same_v<Value, double>) {
+            require(put(variable, value), "fmi2SetReal");
+          } else {
+            const char* const name =
+                std::is_same_v<Value, bool> ? "fmi2SetBoolean" : "fmi2SetInteger";
+            const int whole = static_cast<int>(value);
+            require(binary_.function<SetInteger>(name)(self_, reference, 1, &whole), name);
+          }
+        }))
+      setting.fail_type();
+  }
+  int put(const Variable& variable, double value) override {
+    if (!set_real_) set_real_ = binary_.function<SetReal>("fmi2SetReal");
+    return set_real_(self_, &variable.reference, 1, &value);
+  }
+  double get(const Variable& variable) override {
+    double value = 0;
+    if (variable.type == "Real") {
+      require(binary_.function<GetReal>("fmi2GetReal")(self_, &variable.reference, 1, &value),
+              "fmi2GetReal");
+      return value;
     }
+    const char* const name = variable.type == "Boolean" ? "fmi2GetBoolean" : "fmi2GetInteger";
+    int whole = 0;
+    require(binary_.function<GetInteger>(name)(self_, &variable.reference, 1, &whole), name);
+    return whole;
   }
-
-  void initialise(const Description& d, const Binary& binary) {
-    const auto call = [&](const char* name) { require(binary.function<Plain>(name)(self_), name); };
-    require(binary.function<SetUp>("fmi2SetupExperiment")(self_, d.tolerance.has_value(),
-                                                          d.tolerance.value_or(0), d.t0, 0, 0),
+  void enter_initialisation() override {
+    const Description& d = description_;
+    require(binary_.function<SetUp>("fmi2SetupExperiment")(self_, d.tolerance.has_value(),
+                                                           d.tolerance.value_or(0), d.t0, 0, 0),
             "fmi2SetupExperiment");
-    call("fmi2EnterInitializationMode");
-    call("fmi2ExitInitializationMode");
-    EventInfo info{};
-    for (int i = 0; i == 0 || (info.more_needed && i < 1000); ++i)
-      require(binary.function<NewDiscreteStates>("fmi2NewDiscreteStates")(self_, &info),
-              "fmi2NewDiscreteStates");
-    call("fmi2EnterContinuousTimeMode");
-    int event = 0, terminate = info.terminate;
-    if (!terminate && !d.states.empty())
-      require(binary.function<CompletedStep>("fmi2CompletedIntegratorStep")(self_, 1, &event,
-                                                                            &terminate),
-              "fmi2CompletedIntegratorStep");
-    refuse_events(info.next_time_defined, info.next_time, terminate, event || info.more_needed);
+    call("EnterInitializationMode");
   }
-
-  int place(double t, const double* y) override {
-    const int status = set_time_(self_, t);
-    return status > 1 ? status : wrong(set_states_(self_, y, y0.size()));
+  int update_discrete_states(EventInfo& info) override {
+    Said said{};
+    const int status = binary_.function<NewDiscreteStates>("fmi2NewDiscreteStates")(self_, &said);
+    info = {said.more_needed != 0, said.terminate != 0, said.states_changed != 0,
+            said.next_time_defined != 0, said.next_time};
+    return status;
   }
-  int derivatives(double* dydt) override { return wrong(derivatives_(self_, dydt, y0.size())); }
+  int complete_step(bool& event, bool& terminate) override {
+    int event_mode = 0, end = 0;
+    const int status = complete_step_(self_, 1, &event_mode, &end);
+    event = event_mode != 0, terminate = end != 0;
+    return status;
+  }
+  std::size_t count_states() override { return description_.states.size(); }
+  std::size_t count_indicators() override {
+    get_indicators_ = binary_.function<GetNumbers>("fmi2GetEventIndicators");
+    return description_.indicators;
+  }
+  int set_time(double t) override { return set_time_(self_, t); }
+  int set_states(const double* y) override { return set_states_(self_, y, y0.size()); }
+  int get_states(double* y) override {
+    return binary_.function<GetNumbers>("fmi2GetContinuousStates")(self_, y, y0.size());
+  }
+  int derivatives(double* dydt) override { return derivatives_(self_, dydt, y0.size()); }
+  int get_indicators(double* values) override { return get_indicators_(self_, values, indicators); }
   int column(std::size_t k, double* out) override {
     constexpr double one = 1;
     return wrong(directional_(self_, rates_.data(), rates_.size(), &states_[k], 1, &one, out));
   }
-  static int wrong(int status) { return status > 1 ? status : 0; }
 
-  void* self_ = nullptr;
   SetTime set_time_;
-  SetStates set_states_;
-  GetNumbers derivatives_;
+  CompletedStep complete_step_;
+  SetStates set_states_ = nullptr;
+  SetReal set_real_ = nullptr;
+  GetNumbers derivatives_ = nullptr, get_indicators_ = nullptr;
   Directional directional_ = nullptr;
   std::vector<unsigned> states_, rates_;
 };
@@ -156,8 +174,9 @@ class Fmi2 final : public Model {
 }  // namespace
 
 std::unique_ptr<Model> make_model2(const Description& d, const Binary& binary,
-                                   const std::filesystem::path& folder, const Values& values) {
-  return std::make_unique<Fmi2>(d, binary, folder, values);
+                                   const std::filesystem::path& folder, const Values& values,
+                                   const Inputs* inputs) {
+  return std::make_unique<Fmi2>(d, binary, folder, values, inputs);
 }
 
 }  // namespace odeum::adapters::fmi

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <limits>
+#include <type_traits>
 
 #include "fmi/model.hpp"
 #include "odeum/solvers/foreign_problem.hpp"
@@ -20,11 +20,10 @@ using Instantiate = void* (*)(const char* name, const char* token, const char* r
                               bool visible, bool logging, void* environment, Logger);
 using EnterInitialisation = int (*)(void*, bool tolerance_defined, double tolerance, double start,
                                     bool stop_defined, double stop);
-using Plain = int (*)(void*);
 using UpdateDiscreteStates = int (*)(void*, bool* more_needed, bool* terminate, bool* nominals,
                                      bool* states, bool* next_time_defined, double* next_time);
 using CompletedStep = int (*)(void*, bool no_return, bool* event_mode, bool* terminate);
-using CountStates = int (*)(void*, std::size_t*);
+using Count = int (*)(void*, std::size_t*);
 using SetTime = int (*)(void*, double t);
 using SetStates = int (*)(void*, const double* y, std::size_t n);
 using GetNumbers = int (*)(void*, double* values, std::size_t n);
@@ -37,112 +36,131 @@ void note(void*, int status, const char*, const char* message) {
   if (status >= 2 && message) last_message() = foreign::cleaned(message);
 }
 
+template <class Value>
+constexpr const char* type_name() {
+  if constexpr (std::is_same_v<Value, double>) return "Float64";
+  if constexpr (std::is_same_v<Value, float>) return "Float32";
+  if constexpr (std::is_same_v<Value, bool>) return "Boolean";
+  if constexpr (std::is_same_v<Value, std::int8_t>) return "Int8";
+  if constexpr (std::is_same_v<Value, std::uint8_t>) return "UInt8";
+  if constexpr (std::is_same_v<Value, std::int16_t>) return "Int16";
+  if constexpr (std::is_same_v<Value, std::uint16_t>) return "UInt16";
+  if constexpr (std::is_same_v<Value, std::int32_t>) return "Int32";
+  if constexpr (std::is_same_v<Value, std::uint32_t>) return "UInt32";
+  if constexpr (std::is_same_v<Value, std::int64_t>) return "Int64";
+  if constexpr (std::is_same_v<Value, std::uint64_t>) return "UInt64";
+}
+
 class Fmi3 final : public Model {
  public:
   Fmi3(const Description& d, const Binary& binary, const std::filesystem::path& folder,
-       const Values& values)
-      : set_time_(binary.function<SetTime>("fmi3SetTime")),
-        set_states_(binary.function<SetStates>("fmi3SetContinuousStates")),
-        derivatives_(binary.function<GetNumbers>("fmi3GetContinuousStateDerivatives")) {
+       const Values& values, const Inputs* inputs)
+      : Model("fmi3", d, binary, inputs),
+        set_time_(binary.function<SetTime>("fmi3SetTime")),
+        complete_step_(binary.function<CompletedStep>("fmi3CompletedIntegratorStep")) {
     const std::string version = binary.function<GetVersion>("fmi3GetVersion")();
     if (!version.starts_with("3."))
       throw LoadError(fmt::format("its binary is of FMI version \"{}\", its description of 3.0",
                                   foreign::cleaned(version.c_str())));
+    if (!d.states.empty()) {
+      set_states_ = binary.function<SetStates>("fmi3SetContinuousStates");
+      derivatives_ = binary.function<GetNumbers>("fmi3GetContinuousStateDerivatives");
+    }
     const std::string resources = (folder / "resources").string() + "/";
     self_ = binary.function<Instantiate>("fmi3InstantiateModelExchange")(
         d.model.c_str(), d.token.c_str(), resources.c_str(), false, false, nullptr, note);
     if (!self_)
       throw LoadError(fmt::format("fmi3InstantiateModelExchange failed{}{}",
                                   last_message().empty() ? "" : ": ", last_message()));
-    for (const Setting& setting : settings_of(d, values)) set(binary, setting);
-    initialise(d, binary);
-    std::size_t n = 0;
-    require(binary.function<CountStates>("fmi3GetNumberOfContinuousStates")(self_, &n),
-            "fmi3GetNumberOfContinuousStates");
-    if (n == 0) throw LoadError("the model has no continuous states");
-    if (n > 1'000'000 || (!d.has_arrays && n != d.states.size()))
-      throw LoadError(fmt::format("the binary has {} continuous states, the description lists {}",
-                                  n, d.states.size()));
-    y0.resize(n);
-    require(binary.function<GetNumbers>("fmi3GetContinuousStates")(self_, y0.data(), n),
-            "fmi3GetContinuousStates");
-    if (d.directional_derivatives && !d.has_arrays) {
+    initialise(values);
+    if (d.directional_derivatives && has_states && !d.has_arrays) {
       directional_ = binary.function<Directional>("fmi3GetDirectionalDerivative");
       for (const std::size_t i : d.states) states_.push_back(d.variables[i].reference);
       for (const std::size_t i : d.derivatives) rates_.push_back(d.variables[i].reference);
-      has_jacobian_ = true;
+      has_jacobian = true;
     }
   }
 
  private:
   template <class Value>
-  void set_as(const Binary& binary, const Setting& setting, Value value) {
-    using Set = int (*)(void*, const std::uint32_t*, std::size_t, const Value*, std::size_t);
-    const std::string name = "fmi3Set" + setting.variable->type;
-    const std::uint32_t reference = setting.variable->reference;
-    require(binary.function<Set>(name)(self_, &reference, 1, &value, 1), name.c_str());
-  }
-  template <class Integer>
-  void set_integer(const Binary& binary, const Setting& setting) {
-    using Limits = std::numeric_limits<Integer>;
-    constexpr auto most = std::numeric_limits<long long>::max();
-    const long long largest = sizeof(Integer) == 8 ? most : static_cast<long long>(Limits::max());
-    set_as(binary, setting,
-           static_cast<Integer>(setting.integer(static_cast<long long>(Limits::min()), largest)));
-  }
-  void set(const Binary& binary, const Setting& s) {
-    const std::string& type = s.variable->type;
-    if (type == "Float64") return set_as(binary, s, s.real());
-    if (type == "Float32") return set_as(binary, s, static_cast<float>(s.real()));
-    if (type == "Boolean") return set_as(binary, s, s.boolean());
-    if (type == "Int8") return set_integer<std::int8_t>(binary, s);
-    if (type == "UInt8") return set_integer<std::uint8_t>(binary, s);
-    if (type == "Int16") return set_integer<std::int16_t>(binary, s);
-    if (type == "UInt16") return set_integer<std::uint16_t>(binary, s);
-    if (type == "Int32") return set_integer<std::int32_t>(binary, s);
-    if (type == "UInt32") return set_integer<std::uint32_t>(binary, s);
-    if (type == "Int64") return set_integer<std::int64_t>(binary, s);
-    if (type == "UInt64") return set_integer<std::uint64_t>(binary, s);
-    throw LoadError(fmt::format("--set {}: a {} cannot be set", s.variable->name, type));
-  }
+  using Access = int (*)(void*, const std::uint32_t*, std::size_t, Value*, std::size_t);
 
-  void initialise(const Description& d, const Binary& binary) {
-    const auto call = [&](const char* name) { require(binary.function<Plain>(name)(self_), name); };
-    require(binary.function<EnterInitialisation>("fmi3EnterInitializationMode")(
+  void set(const Setting& setting) override {
+    if (!with_value(setting, 3, [&](auto value) {
+          require(set_as(*setting.variable, value), "fmi3Set" + setting.variable->type);
+        }))
+      setting.fail_type();
+  }
+  template <class Value>
+  int set_as(const Variable& variable, Value value) {
+    const std::string name = std::string("fmi3Set") + type_name<Value>();
+    return binary_.function<Access<const Value>>(name)(self_, &variable.reference, 1, &value, 1);
+  }
+  int put(const Variable& variable, double value) override {
+    return variable.type == "Float64" ? set_as(variable, value)
+                                      : set_as(variable, static_cast<float>(value));
+  }
+  double get(const Variable& variable) override {
+    double found = 0;
+    with_value(Setting{&variable, "0"}, 3, [&](auto value) {
+      using Value = decltype(value);
+      const std::string name = std::string("fmi3Get") + type_name<Value>();
+      require(binary_.function<Access<Value>>(name)(self_, &variable.reference, 1, &value, 1),
+              name);
+      found = static_cast<double>(value);
+    });
+    return found;
+  }
+  void enter_initialisation() override {
+    const Description& d = description_;
+    require(binary_.function<EnterInitialisation>("fmi3EnterInitializationMode")(
                 self_, d.tolerance.has_value(), d.tolerance.value_or(0), d.t0, false, 0),
             "fmi3EnterInitializationMode");
-    call("fmi3ExitInitializationMode");
-    bool more = false, terminate = false, nominals = false, states = false, defined = false;
-    double next = 0;
-    for (int i = 0; i == 0 || (more && i < 1000); ++i)
-      require(binary.function<UpdateDiscreteStates>("fmi3UpdateDiscreteStates")(
-                  self_, &more, &terminate, &nominals, &states, &defined, &next),
-              "fmi3UpdateDiscreteStates");
-    call("fmi3EnterContinuousTimeMode");
-    bool event = false;
-    if (!terminate && !d.states.empty())
-      require(binary.function<CompletedStep>("fmi3CompletedIntegratorStep")(self_, true, &event,
-                                                                            &terminate),
-              "fmi3CompletedIntegratorStep");
-    refuse_events(defined, next, terminate, event || more);
   }
-
-  int place(double t, const double* y) override {
-    const int status = set_time_(self_, t);
-    return status > 1 ? status : wrong(set_states_(self_, y, y0.size()));
+  int update_discrete_states(EventInfo& info) override {
+    bool nominals = false;
+    return binary_.function<UpdateDiscreteStates>("fmi3UpdateDiscreteStates")(
+        self_, &info.more, &info.terminate, &nominals, &info.states, &info.has_next, &info.next);
   }
-  int derivatives(double* dydt) override { return wrong(derivatives_(self_, dydt, y0.size())); }
+  int complete_step(bool& event, bool& terminate) override {
+    return complete_step_(self_, true, &event, &terminate);
+  }
+  std::size_t count(const char* name) {
+    constexpr std::size_t most = 1'000'000;
+    std::size_t n = 0;
+    require(binary_.function<Count>(name)(self_, &n), name);
+    if (n > most) throw LoadError(fmt::format("{} says {}, at most {} are read", name, n, most));
+    return n;
+  }
+  std::size_t count_states() override {
+    if (description_.states.empty()) return 0;
+    const std::size_t n = count("fmi3GetNumberOfContinuousStates");
+    if (!description_.has_arrays && n != description_.states.size())
+      throw LoadError(fmt::format("the binary has {} continuous states, the description lists {}",
+                                  n, description_.states.size()));
+    return n;
+  }
+  std::size_t count_indicators() override {
+    get_indicators_ = binary_.function<GetNumbers>("fmi3GetEventIndicators");
+    return count("fmi3GetNumberOfEventIndicators");
+  }
+  int set_time(double t) override { return set_time_(self_, t); }
+  int set_states(const double* y) override { return set_states_(self_, y, y0.size()); }
+  int get_states(double* y) override {
+    return binary_.function<GetNumbers>("fmi3GetContinuousStates")(self_, y, y0.size());
+  }
+  int derivatives(double* dydt) override { return derivatives_(self_, dydt, y0.size()); }
+  int get_indicators(double* values) override { return get_indicators_(self_, values, indicators); }
   int column(std::size_t k, double* out) override {
     constexpr double one = 1;
     const std::size_t n = y0.size();
     return wrong(directional_(self_, rates_.data(), n, &states_[k], 1, &one, 1, out, n));
   }
-  static int wrong(int status) { return status > 1 ? status : 0; }
 
-  void* self_ = nullptr;
   SetTime set_time_;
-  SetStates set_states_;
-  GetNumbers derivatives_;
+  CompletedStep complete_step_;
+  SetStates set_states_ = nullptr;
+  GetNumbers derivatives_ = nullptr, get_indicators_ = nullptr;
   Directional directional_ = nullptr;
   std::vector<std::uint32_t> states_, rates_;
 };
@@ -150,8 +168,9 @@ class Fmi3 final : public Model {
 }  // namespace
 
 std::unique_ptr<Model> make_model3(const Description& d, const Binary& binary,
-                                   const std::filesystem::path& folder, const Values& values) {
-  return std::make_unique<Fmi3>(d, binary, folder, values);
+                                   const std::filesystem::path& folder, const Values& values,
+                                   const Inputs* inputs) {
+  return std::make_unique<Fmi3>(d, binary, folder, values, inputs);
 }
 
 }  // namespace odeum::adapters::fmi

@@ -6,9 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
+#include <algorithm>
 #include <set>
 
+#include "fmi/inputs.hpp"
 #include "odeum/solvers/foreign_problem.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 
@@ -24,18 +25,6 @@ constexpr const char* platforms[] = {"aarch64-linux", "aarch64-linux"};
 #else
 constexpr const char* platforms[] = {"unknown", "unknown"};
 #endif
-
-template <class Number>
-Number parsed(const Setting& setting, const char* expected) {
-  const char* const first = setting.text.data();
-  const char* const last = first + setting.text.size();
-  Number value{};
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (error != std::errc{} || end != last)
-    throw LoadError(fmt::format("--set {}: got \"{}\", expected {}", setting.variable->name,
-                                foreign::cleaned(setting.text.c_str()), expected));
-  return value;
-}
 
 }  // namespace
 
@@ -56,10 +45,36 @@ Binary::Binary(const Description& d, const fs::path& folder) {
   if (!handle_) throw LoadError(fmt::format("cannot be loaded: {}", dlerror()));
 }
 
+void* Binary::found(const std::string& name) const { return dlsym(handle_, name.c_str()); }
+
 void* Binary::symbol(const std::string& name) const {
-  void* const found = dlsym(handle_, name.c_str());
-  if (!found) throw LoadError(fmt::format("its binary exports no function {}", name));
-  return found;
+  void* const there = found(name);
+  if (!there) throw LoadError(fmt::format("its binary exports no function {}", name));
+  return there;
+}
+
+Model::~Model() {
+  if (!self_) return;
+  if (void* const release = binary_.found(prefix_ + "FreeInstance"))
+    reinterpret_cast<void (*)(void*)>(release)(self_);
+}
+
+int Model::place(double t, const double* y) {
+  // No model goes back behind an event.
+  if (const int failed = wrong(set_time(std::max(t, event_)))) return failed;
+  if (inputs_)
+    for (const Inputs::Column& column : inputs_->columns())
+      if (column.linear)
+        if (const int failed = wrong(put(column.variable, inputs_->at(column, t, passed_))))
+          return failed;
+  return has_states ? wrong(set_states(y)) : 0;
+}
+
+int Model::rhs(double t, const double* y, double* dydt) {
+  if (const int failed = place(t, y)) return failed;
+  if (has_states) return wrong(derivatives(dydt));
+  std::fill_n(dydt, y0.size(), 0.0);
+  return 0;
 }
 
 int Model::jacobian(double t, const double* y, double* j) {
@@ -73,21 +88,90 @@ int Model::jacobian(double t, const double* y, double* j) {
   return 0;
 }
 
-double Setting::real() const { return parsed<double>(*this, "a number"); }
-
-long long Setting::integer(long long least, long long most) const {
-  const auto value = parsed<long long>(*this, "a whole number");
-  if (value < least || value > most)
-    throw LoadError(
-        fmt::format("--set {}: got {}, expected {} to {}", variable->name, value, least, most));
-  return value;
+int Model::indicate(double t, const double* y, double* values) {
+  if (indicators == 0) return 0;
+  const int failed = place(t, y);
+  return failed ? failed : wrong(get_indicators(values));
 }
 
-bool Setting::boolean() const {
-  if (text == "true" || text == "1") return true;
-  if (text == "false" || text == "0") return false;
-  throw LoadError(fmt::format("--set {}: got \"{}\", expected true or false", variable->name,
-                              foreign::cleaned(text.c_str())));
+int Model::observe(double t, double* y) {
+  if (has_states) return 0;
+  if (const int failed = place(t, y)) return failed;
+  read_outputs(y);
+  return 0;
+}
+
+void Model::read_outputs(double* y) {
+  for (const std::size_t i : description_.outputs) *y++ = get(description_.variables[i]);
+}
+
+void Model::call(const char* name) {
+  require(binary_.function<int (*)(void*)>(prefix_ + name)(self_), prefix_ + name);
+}
+
+EventInfo Model::update() {
+  constexpr int most = 1000;
+  bool states = false;
+  for (int k = 0; k < most; ++k) {
+    EventInfo info;
+    require(update_discrete_states(info), "the update of discrete states");
+    states = states || info.states;
+    if (info.more && !info.terminate) continue;
+    info.states = states;
+    return info;
+  }
+  throw LoadError(fmt::format("an event at t = {:.9g} asks for new discrete states without end",
+                              std::max(event_, description_.t0)));
+}
+
+bool Model::step_asks() {
+  bool event = false, end = false;
+  require(complete_step(event, end), prefix_ + "CompletedIntegratorStep");
+  return event || end;
+}
+
+void Model::initialise(const Values& values) {
+  for (const Setting& setting : settings_of(description_, values)) set(setting);
+  if (inputs_) set_inputs(description_.t0);
+  enter_initialisation();
+  call("ExitInitializationMode");
+  start = update();
+  if (start.terminate) throw LoadError("ends its simulation when it is initialised");
+  call("EnterContinuousTimeMode");
+  const std::size_t n = count_states();
+  has_states = n > 0;
+  if (description_.has_indicators) indicators = count_indicators();
+  y0.resize(has_states ? n : description_.outputs.size());
+  if (y0.empty()) throw LoadError("the model has no continuous states, and no outputs in numbers");
+  if (!has_states) return read_outputs(y0.data());
+  asks_at_start = step_asks();
+  require(get_states(y0.data()), prefix_ + "GetContinuousStates");
+}
+
+void Model::set_inputs(double t) {
+  passed_ = t;
+  for (const Inputs::Column& column : inputs_->columns())
+    set({&column.variable, inputs_->start(column, t), "input "});
+}
+
+EventInfo Model::happen(double t, double* y, double jump) {
+  require(place(t, y), "placing the model at an event");
+  if (has_states && description_.completes_steps) step_asks();
+  call("EnterEventMode");
+  event_ = std::max(t, event_);
+  if (jump > passed_) set_inputs(jump);
+  const EventInfo info = update();
+  if (!info.terminate) call("EnterContinuousTimeMode");
+  if (!has_states)
+    read_outputs(y);
+  else if (info.states)
+    require(get_states(y), prefix_ + "GetContinuousStates");
+  return info;
+}
+
+bool Model::completes(double t, const double* y) {
+  require(place(t, y), "placing the model at the end of a step");
+  return step_asks();
 }
 
 std::vector<Setting> settings_of(const Description& description, const Values& values) {
@@ -108,7 +192,7 @@ std::vector<Setting> settings_of(const Description& description, const Values& v
                                   found->is_array ? "is an array, which cannot be set"
                                                   : "is computed or constant and cannot be set",
                                   fmt::join(names, ", ")));
-    settings.push_back({found, text});
+    settings.push_back({found, text, "--set "});
   }
   return settings;
 }
@@ -118,7 +202,7 @@ std::string& last_message() {
   return text;
 }
 
-void require(int status, const char* function) {
+void require(int status, const std::string& function) {
   if (status == 0 || status == 1) return;
   constexpr const char* names[] = {"ok", "warning", "discard", "error", "fatal", "pending"};
   throw LoadError(fmt::format("{} returned {}{}{}", function,
@@ -126,20 +210,12 @@ void require(int status, const char* function) {
                               last_message().empty() ? "" : ": ", last_message()));
 }
 
-void refuse_events(bool next_event_time, double when, bool terminate, bool at_steps) {
-  if (next_event_time)
-    throw LoadError(
-        fmt::format("has time events (the first at t = {}), which are not followed", when));
-  if (terminate) throw LoadError("ends its simulation when it is initialised");
-  if (at_steps) throw LoadError("has events at the end of steps, which are not followed");
-}
-
 std::unique_ptr<Model> make_model(const Description& d, const fs::path& folder,
-                                  const Values& values) {
+                                  const Values& values, const Inputs* inputs) {
   const Binary binary(d, folder);
   last_message().clear();
-  return d.version == 2 ? make_model2(d, binary, folder, values)
-                        : make_model3(d, binary, folder, values);
+  return d.version == 2 ? make_model2(d, binary, folder, values, inputs)
+                        : make_model3(d, binary, folder, values, inputs);
 }
 
 }  // namespace odeum::adapters::fmi

@@ -2,15 +2,18 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "fmi/description.hpp"
+#include "fmi/setting.hpp"
 
 namespace odeum::adapters::fmi {
 
+class Inputs;
 using Values = std::map<std::string, std::string>;
 
 /// A shared object of an FMU, never unloaded.
@@ -19,6 +22,7 @@ class Binary {
   /// Throws LoadError where there is none for this machine or it cannot be loaded.
   Binary(const Description& description, const std::filesystem::path& folder);
 
+  void* found(const std::string& name) const;  ///< null: it exports no such function
   /// Throws LoadError where it exports no such function.
   template <class Function>
   Function function(const std::string& name) const {
@@ -30,54 +34,103 @@ class Binary {
   void* handle_ = nullptr;
 };
 
-/// An instance of a model in continuous-time mode, never freed. The functions return 0 on success.
+/// What a model says when its discrete states have been computed anew.
+struct EventInfo {
+  bool more = false, terminate = false;
+  bool states = false;  ///< the values of continuous states have changed
+  bool has_next = false;
+  double next = 0;  ///< the time of its next time event
+};
+
+/// An instance of a model. Functions that return a number return 0 on success.
 class Model {
  public:
-  virtual ~Model() = default;
-  Model() = default;
+  virtual ~Model();
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
+  /// The state at the start. A model without continuous states has its outputs for one, of which
+  /// all are held from event to event but those that `observe` reads.
   std::vector<double> y0;
+  std::size_t indicators = 0;  ///< of events
+  EventInfo start;             ///< at the end of the initialisation
+  bool asks_at_start = false;  ///< for an event, at the end of a step
+  bool has_states = false, has_jacobian = false;
 
-  int rhs(double t, const double* y, double* dydt) { return place(t, y) || derivatives(dydt); }
-  /// Row-major; only where has_jacobian().
+  int rhs(double t, const double* y, double* dydt);
+  /// Row-major; only where has_jacobian.
   int jacobian(double t, const double* y, double* j);
-  bool has_jacobian() const { return has_jacobian_; }
+  int indicate(double t, const double* y, double* values);
+  /// Gives y the outputs of a model without states.
+  int observe(double t, double* y);
+
+  /// Event mode at t: y becomes the state after it. Inputs that jump at `jump` have the values from
+  /// then on. Throws LoadError where a function fails.
+  EventInfo happen(double t, double* y, double jump);
+  /// At the end of an accepted step: whether the model asks for an event, or for the end. Throws
+  /// LoadError likewise.
+  bool completes(double t, const double* y);
 
  protected:
-  virtual int place(double t, const double* y) = 0;
+  /// `inputs` has to outlive this; null: they are held.
+  Model(std::string prefix, const Description& d, const Binary& binary, const Inputs* inputs)
+      : prefix_(std::move(prefix)), description_(d), binary_(binary), inputs_(inputs) {}
+  /// From the initialisation to continuous-time mode, with these values. Throws LoadError.
+  void initialise(const Values& values);
+
+  static int wrong(int status) { return status > 1 ? status : 0; }
+  /// Calls a function that has no arguments but the instance.
+  void call(const char* name);
+  virtual void set(const Setting& setting) = 0;  ///< throws LoadError
+  virtual int put(const Variable& variable, double value) = 0;
+  virtual double get(const Variable& variable) = 0;  ///< throws LoadError
+  virtual void enter_initialisation() = 0;
+  virtual std::size_t count_states() = 0;
+  virtual std::size_t count_indicators() = 0;
+  virtual int set_time(double t) = 0;
+  virtual int set_states(const double* y) = 0;
+  virtual int get_states(double* y) = 0;
   virtual int derivatives(double* dydt) = 0;
+  virtual int get_indicators(double* values) = 0;
   /// Column k of the Jacobian.
   virtual int column(std::size_t k, double* out) = 0;
-  bool has_jacobian_ = false;
+  virtual int update_discrete_states(EventInfo& info) = 0;
+  virtual int complete_step(bool& event, bool& terminate) = 0;
+
+  const std::string prefix_;  ///< of the names of functions
+  const Description& description_;
+  const Binary binary_;
+  void* self_ = nullptr;
+
+ private:
+  int place(double t, const double* y);
+  void read_outputs(double* y);
+  EventInfo update();
+  bool step_asks();
+  void set_inputs(double t);
+
+  const Inputs* inputs_;
+  double event_ = -std::numeric_limits<double>::infinity();  ///< the time of the last event
+  double passed_ = event_;  ///< the last time at which inputs jump whose later values hold
 };
 
 /// Loads and initialises a model with these values of its variables. Throws LoadError, without a
-/// file name, where it has events, fails, or a value cannot be set.
+/// file name, where it fails, or a value cannot be set.
 std::unique_ptr<Model> make_model(const Description& description,
-                                  const std::filesystem::path& folder, const Values& values);
+                                  const std::filesystem::path& folder, const Values& values,
+                                  const Inputs* inputs);
 std::unique_ptr<Model> make_model2(const Description& description, const Binary& binary,
-                                   const std::filesystem::path& folder, const Values& values);
+                                   const std::filesystem::path& folder, const Values& values,
+                                   const Inputs* inputs);
 std::unique_ptr<Model> make_model3(const Description& description, const Binary& binary,
-                                   const std::filesystem::path& folder, const Values& values);
+                                   const std::filesystem::path& folder, const Values& values,
+                                   const Inputs* inputs);
 
-/// A value of --set with the variable that it is for. Throws LoadError where there is no such
-/// variable, or none that can be set, or the text is not a number of its type.
-struct Setting {
-  const Variable* variable;
-  std::string text;
-  double real() const;
-  long long integer(long long least, long long most) const;
-  bool boolean() const;
-};
 std::vector<Setting> settings_of(const Description& description, const Values& values);
 
 /// The last message of a model, for people.
 std::string& last_message();
 /// Throws LoadError where a call returned an error.
-void require(int status, const char* function);
-/// What the model says of events after its initialisation. Throws LoadError where there are any.
-void refuse_events(bool next_event_time, double when, bool terminate, bool at_steps);
+void require(int status, const std::string& function);
 
 }  // namespace odeum::adapters::fmi

@@ -7,14 +7,13 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <utility>
 
-#include "fmi/archive.hpp"
-#include "fmi/model.hpp"
+#include "fmi/fmu.hpp"
 #include "odeum/core/checksum.hpp"
 #include "odeum/isolated/isolated_process.hpp"
-#include "odeum/isolated/kept_arithmetic.hpp"
 #include "odeum/linear/dense_limit.hpp"
 #include "odeum/solvers/foreign_problem.hpp"
 #include "odeum/solvers/runtime_library.hpp"
@@ -32,28 +31,6 @@ std::string content_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// An FMU with all that its problem's functions need.
-struct Fmu {
-  TemporaryFolder folder;  ///< kept for its resources
-  Description description;
-  Values values;
-  std::vector<double> y0, stops;
-  bool non_autonomous = false, has_jacobian = false;
-  double reach = 0;  ///< of differences in time
-
-  /// The model, which is loaded at the first call: in a process of its own.
-  Model& model() {
-    if (!model_) {
-      const isolated::KeptArithmetic kept;
-      model_ = make_model(description, folder.path(), values);
-    }
-    return *model_;
-  }
-
- private:
-  std::unique_ptr<Model> model_;
-};
-
 Fmu& fmu_of(void* data) { return *static_cast<Fmu*>(data); }
 
 int rhs(void* data, double t, const double* y, double* dydt) {
@@ -64,19 +41,27 @@ int jacobian(void* data, double t, const double* y, double* j) {
   return fmu_of(data).model().jacobian(t, y, j);
 }
 
-/// df/dt by differences of order 2: central, from the first time on forward.
+/// df/dt by differences of order 2: central, and to one side at the first time and beside the kinks
+/// of inputs.
 int time_derivative(void* data, double t, const double* y, double* dfdt) {
   Fmu& fmu = fmu_of(data);
   const std::size_t n = fmu.y0.size();
-  const double d = fmu.reach;
-  const bool forward = t - d < fmu.description.t0;
-  std::vector<double> a(n), b(n), here(forward ? n : 0);
-  if (rhs(data, forward ? t + d : t - d, y, a.data()) ||
-      rhs(data, forward ? t + 2 * d : t + d, y, b.data()))
+  double from = fmu.description.t0, to = std::numeric_limits<double>::infinity(), d = fmu.reach;
+  if (fmu.inputs) {
+    const auto [before, after] = fmu.inputs->around(t);
+    from = std::max(from, before);
+    to = after;
+    d = std::min(d, (to - from) / 4);
+  }
+  const bool forward = t - d < from, to_side = forward || t + d > to;
+  if (to_side && !forward) d = -d;
+  std::vector<double> a(n), b(n), here(to_side ? n : 0);
+  if (rhs(data, to_side ? t + d : t - d, y, a.data()) ||
+      rhs(data, to_side ? t + 2 * d : t + d, y, b.data()))
     return 1;
-  if (forward && rhs(data, t, y, here.data())) return 1;
+  if (to_side && rhs(data, t, y, here.data())) return 1;
   for (std::size_t i = 0; i < n; ++i)
-    dfdt[i] = (forward ? 4 * a[i] - b[i] - 3 * here[i] : b[i] - a[i]) / (2 * d);
+    dfdt[i] = (to_side ? 4 * a[i] - b[i] - 3 * here[i] : b[i] - a[i]) / (2 * d);
   return 0;
 }
 
@@ -112,67 +97,6 @@ odeum_problem functions_of(Fmu& fmu, const char* name) {
   return p;
 }
 
-std::vector<std::string> names_of_states(const Description& d) {
-  std::vector<std::string> names;
-  std::set<std::string> taken;
-  if (d.has_arrays) return names;
-  for (const std::size_t i : d.states) {
-    std::string name = d.variables[i].name;
-    for (char& c : name)
-      if (c == ',' || c == '"' || c == ' ') c = '_';
-    while (!taken.insert(name).second) name += '_';
-    names.push_back(name);
-  }
-  return names;
-}
-
-/// Their nominal sizes, by which errors are divided; empty where they name none.
-std::vector<double> nominal_sizes(const Description& d) {
-  std::vector<double> sizes;
-  bool any = false;
-  for (const std::size_t i : d.states) {
-    const double nominal = d.variables[i].nominal;
-    sizes.push_back(nominal > 0 && std::isfinite(nominal) ? nominal : 1);
-    any = any || sizes.back() != 1;
-  }
-  return any && !d.has_arrays ? sizes : std::vector<double>{};
-}
-
-std::vector<std::pair<std::string, std::string>> facts_of(const Fmu& fmu,
-                                                          const std::vector<std::string>& names,
-                                                          const Values& values,
-                                                          const odeum_problem& p) {
-  const Description& d = fmu.description;
-  std::vector<std::pair<std::string, std::string>> facts;
-  facts.emplace_back("model", fmt::format("{} (FMI {}.0, Model Exchange)", d.model, d.version));
-  std::vector<std::string> parameters, inputs;
-  for (const Variable& v : d.variables) {
-    if (v.is_array || !(v.is_parameter || v.is_input)) continue;
-    const auto given = values.find(v.name);
-    (v.is_parameter ? parameters : inputs)
-        .push_back(fmt::format(
-            "{} = {}", v.name,
-            foreign::cleaned((given == values.end() ? v.start : given->second).c_str())));
-  }
-  if (!parameters.empty())
-    facts.emplace_back("set", fmt::format("{}", fmt::join(parameters, ", ")));
-  if (!inputs.empty())
-    facts.emplace_back("inputs", fmt::format("held: {}", fmt::join(inputs, ", ")));
-  facts.emplace_back(
-      "states", fmt::format("{}{}{}", p.dimension, names.empty() ? "" : ": ",
-                            fmt::join(names.begin(),
-                                      names.begin() + static_cast<std::ptrdiff_t>(
-                                                          std::min<std::size_t>(8, names.size())),
-                                      ", ")));
-  facts.emplace_back("time", fmt::format("{} to {}{}", d.t0, d.stop,
-                                         d.stop_is_given ? "" : ", since the FMU names no end"));
-  facts.emplace_back("found", p.time_derivative ? "depends on time; df/dt by differences"
-                                                : "does not depend on time");
-  facts.emplace_back("Jacobian", p.jacobian ? "the FMU's directional derivatives"
-                                            : "by differences: the FMU offers no derivatives");
-  return facts;
-}
-
 /// Reads an FMU without running its code.
 std::shared_ptr<Fmu> read(const std::string& file) {
   auto fmu = std::make_shared<Fmu>();
@@ -193,21 +117,38 @@ std::shared_ptr<Fmu> read(const std::string& file) {
   return fmu;
 }
 
+/// What the code of a model tells, as the head of a text; its state at the start follows.
+struct Told {
+  char sign = '+';
+  bool non_autonomous, has_jacobian, has_states, has_time_events, has_events;
+  std::size_t indicators;
+};
+
 /// What is known of a model once its code has run, as text.
 std::string facts_from_code(Fmu& fmu, const char* name) {
-  fmu.y0 = fmu.model().y0;
-  fmu.has_jacobian = fmu.model().has_jacobian();
+  Model& model = fmu.model();
+  fmu.y0 = model.y0;
+  fmu.has_jacobian = model.has_jacobian;
   isolated::alive();
-  fmu.non_autonomous = fmu.description.names_time || depends_on_time(fmu);
+  fmu.non_autonomous = model.has_states && (fmu.description.names_time || depends_on_time(fmu));
   if (std::string fault = foreign::Problem(functions_of(fmu, name)).fault(); !fault.empty())
     return fault;
-  std::string facts{'+', fmu.non_autonomous ? 't' : ' ', fmu.has_jacobian ? 'j' : ' '};
+  const bool jumps = fmu.inputs && std::isfinite(fmu.inputs->next_jump(fmu.description.t0));
+  const Told told{.non_autonomous = fmu.non_autonomous,
+                  .has_jacobian = fmu.has_jacobian,
+                  .has_states = model.has_states,
+                  .has_time_events = model.start.has_next,
+                  .has_events = model.indicators > 0 || model.start.has_next ||
+                                model.asks_at_start || !model.has_states || jumps ||
+                                fmu.description.acts_at_steps,
+                  .indicators = model.indicators};
+  std::string facts(reinterpret_cast<const char*>(&told), sizeof told);
   return facts.append(reinterpret_cast<const char*>(fmu.y0.data()), fmu.y0.size() * sizeof(double));
 }
 
 /// Learns that in a process of its own.
 void try_out(Fmu& fmu, const char* name) {
-  constexpr std::size_t room = 1U << 26U, head = 3;
+  constexpr std::size_t room = 1U << 26U;
   const auto [ended, said] = isolated::text_isolated(
       [&]() -> std::string {
         try {
@@ -217,18 +158,34 @@ void try_out(Fmu& fmu, const char* name) {
         }
       },
       room);
-  if (!ended || !said.starts_with("+") || said.size() < head) throw LoadError(said);
-  fmu.non_autonomous = said[1] == 't';
-  fmu.has_jacobian = said[2] == 'j';
-  fmu.y0.resize((said.size() - head) / sizeof(double));
-  std::memcpy(fmu.y0.data(), said.data() + head, fmu.y0.size() * sizeof(double));
+  Told told;
+  if (!ended || !said.starts_with("+") || said.size() < sizeof told) throw LoadError(said);
+  std::memcpy(&told, said.data(), sizeof told);
+  fmu.non_autonomous = told.non_autonomous;
+  fmu.has_jacobian = told.has_jacobian;
+  fmu.has_states = told.has_states;
+  fmu.has_time_events = told.has_time_events;
+  fmu.has_events = told.has_events;
+  fmu.indicators = told.indicators;
+  fmu.y0.resize((said.size() - sizeof told) / sizeof(double));
+  std::memcpy(fmu.y0.data(), said.data() + sizeof told, fmu.y0.size() * sizeof(double));
 }
 
-foreign::ProblemCallbacks open(const std::string& file, const Values& values) {
+void add_inputs(Fmu& fmu, const std::string& file) {
+  if (file.empty()) return;
+  fmu.inputs.emplace(file, fmu.description);
+  for (const Inputs::Column& column : fmu.inputs->columns())
+    if (fmu.values.contains(column.variable.name))
+      throw LoadError(fmt::format("--set {}: --inputs {} has it, too", column.variable.name, file));
+}
+
+foreign::ProblemCallbacks open(const std::string& file, const Values& values,
+                               const std::string& inputs) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) throw LoadError("is not a file");
   const std::shared_ptr<Fmu> fmu = read(file);
   fmu->values = values;
+  add_inputs(*fmu, inputs);
   try_out(*fmu, "of the FMU");
   foreign::ProblemCallbacks given;
   given.functions = functions_of(*fmu, "of the FMU");
@@ -240,9 +197,14 @@ foreign::ProblemCallbacks open(const std::string& file, const Values& values) {
   given.provider = "the FMU";
   given.tag = "fmu";
   given.content = fmt::format("{:x} {}", checksum(content_of(file)), values);
+  if (!inputs.empty()) given.content += fmt::format(" {:x}", checksum(content_of(inputs)));
   given.components = names_of_states(d);
   given.scale = nominal_sizes(d);
-  given.facts = facts_of(*fmu, given.components, values, given.functions);
+  given.facts = facts_of(*fmu, given.components, given.functions.jacobian != nullptr);
+  given.events = events_of(*fmu);
+  if (fmu->inputs) given.switches = fmu->inputs->kinks();
+  if (!fmu->has_states)
+    given.no_truth = "it has no continuous states, and its outputs are read from it";
   return given;
 }
 
@@ -252,9 +214,10 @@ foreign::ProblemCallbacks open(const std::string& file, const Values& values) {
 std::string fmi_support() { return "2.0 and 3.0, Model Exchange, by libzip and pugixml"; }
 
 foreign::ProblemCallbacks open_fmu(const std::string& file,
-                                   const std::map<std::string, std::string>& values) {
+                                   const std::map<std::string, std::string>& values,
+                                   const std::string& inputs) {
   try {
-    return adapters::fmi::open(file, values);
+    return adapters::fmi::open(file, values, inputs);
   } catch (const LoadError& error) {
     throw LoadError(fmt::format("{}: {}", file, error.what()));
   } catch (const std::filesystem::filesystem_error& error) {

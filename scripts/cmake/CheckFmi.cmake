@@ -20,6 +20,10 @@ foreach(version IN ITEMS 2 3)
   expect(0 "run ${fmu} --set mu=0 --solver odeum/rodas4 cvode/bdf --tol 1e-8" "set mu = 0" "odeum/rodas4 .*status ok .*error [0-9.]+e-0[789]"
          "cvode/bdf .*status ok")
 endforeach()
+# A model with events: they are located, told, and crossed by the truth.
+set(ball ${at}/ball3.fmu)
+expect(0 "run ${ball}" "events 1 event indicator, located" "truth computed by .* known to [0-9.]+e-1[0-5]")
+expect(0 "run ${ball} --set e=0.5 --solver odeum/rodas4 cvode/bdf --tol 1e-8" "odeum/rodas4 .*status ok .*events 4: state event at t = 0.4515.*error [0-9.]+e-")
 # The FMU beside a case of the project, in each kind of study.
 expect(0 "converge ${fmu} lotka_volterra --mode fixed --solver odeum/rk4 --solver odeum/rodas4 --solver gsl/rk4 --out ${FOLDER}/out"
        "oscillator3 odeum/rk4 fixed 4 (3\\.9|4\\.0)[0-9]+ confirmed" "oscillator3 odeum/rodas4 fixed 4 [34]\\.[0-9]+ confirmed"
@@ -40,7 +44,9 @@ endif()
 # What is refused; reasons are tested in tests/adapters/fmi_test.cpp.
 expect(2 "run ${at}/nothing.fmu" "nothing.fmu: is not a file")
 expect(2 "converge ${fmu} --set nu=1" "the model has no variable nu; it has x, v, mu, a, fault")
-expect(2 "run ${fmu} --set fault=6" "has time events .the first at t = 1.")
+file(WRITE ${FOLDER}/u.csv "time,u\n0,1\n")
+expect(2 "run ${fmu} --inputs ${FOLDER}/u.csv" "u.csv:1:6: inputs: the model has no such input; got .u., expected no column")
+expect(2 "run lotka_volterra --inputs ${FOLDER}/u.csv" "--inputs: got .lotka_volterra., expected an FMU")
 expect(2 "run ${fmu} --set fault=9" "foreign code crashed: Aborted")
 expect(3 "run ${fmu} --set fault=3 --solver odeum/rk4 --step 0.01" "foreign code crashed: Aborted")
 # A run of too many steps is refused before a truth is computed.

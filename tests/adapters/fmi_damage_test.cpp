@@ -81,16 +81,16 @@ TEST_P(DamagedFmus, BrokenDescriptionsAreRefused) {
   if (three()) {
     expect_refused_xml("derivative=\"3\"", "derivative=\"99\"", "no variable has the reference 99");
     expect_refused_xml("<ModelStructure>", "<ModelStructure><EventIndicator valueReference=\"1\"/>",
-                       "state events (1 event indicators)");
-    expect_refused_xml("modelIdentifier=", "needsCompletedIntegratorStep=\"true\" modelIdentifier=",
-                       "acts at the end of steps");
+                       "exports no function fmi3GetEventIndicators");
     expect_refused_xml("</ModelVariables>",
-                       "<Clock name=\"c\" valueReference=\"9\"/></ModelVariables>", "clocks");
+                       "<Clock name=\"c\" valueReference=\"9\"/></ModelVariables>",
+                       "the model has the clock c; clocks are not followed");
+    expect_refused_xml("ModelExchange", "ScheduledExecution", "scheduled execution only");
   } else {
     expect_refused_xml("index=\"5\"", "index=\"99\"", "index 99: there are 8 variables");
     expect_refused_xml("index=\"5\"", "index=\"1\"", "but of no state");
     expect_refused_xml("numberOfEventIndicators=\"0\"", "numberOfEventIndicators=\"2\"",
-                       "state events (2 event indicators)");
+                       "exports no function fmi2GetEventIndicators");
   }
 }
 

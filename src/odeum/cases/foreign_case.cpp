@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -47,10 +48,11 @@ bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& wo
     words = "exact solution";
     return false;
   }
-  std::string why;
-  std::optional<truth::Reference> reference =
-      truth::kept_or_computed("foreign, sampled " + given.content, c.y0.size(), c.stops, c.units,
-                              [&] { return truth::reference_of(given, why); });
+  std::string why = given.no_truth;
+  std::optional<truth::Reference> reference;
+  if (why.empty())
+    reference = truth::kept_or_computed("foreign, sampled " + given.content, c.y0.size(), c.stops,
+                                        c.units, [&] { return truth::reference_of(given, why); });
   if (reference && !reference->times.empty()) {
     const std::string assumed = fmt::format("; assuming that nothing in it is shorter than {:.2g}",
                                             truth::shortest_seen * (c.stops.back() - c.t0));
@@ -106,6 +108,14 @@ Case foreign_case(const std::shared_ptr<const Held>& held) {
   if (p.energy) c.energy = [held](const double* y) { return held->problem.energy(y); };
   c.problem = {view_of(held->problem), held, c.t0,
                std::make_shared<const std::vector<double>>(c.y0), nullptr};
+  c.problem.events = given.events;
+  if (!given.switches.empty())
+    c.problem.switches = [held](double from, double to) {
+      std::vector<Switch> between;
+      std::ranges::copy_if(held->given.switches, std::back_inserter(between),
+                           [&](const Switch& at) { return at.t >= from && at.t <= to; });
+      return between;
+    };
   c.entrants = enroll_isolated(c.problem);
   c.facts = given.facts;
   c.truth = unknown_truth("not computed");

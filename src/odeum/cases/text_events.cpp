@@ -11,35 +11,6 @@
 
 namespace odeum::cases {
 
-namespace {
-
-class TextCourse final : public EventCourse {
- public:
-  TextCourse(std::shared_ptr<const formula::EventRules<double>> rules, bool resumed)
-      : course_(std::move(rules), resumed) {}
-
-  std::string happen(double t, const std::vector<Crossing>& crossings, std::vector<double>& y,
-                     const Ahead& ahead) override {
-    std::vector<formula::EventCourse<double>::Crossing> crossed;
-    for (const auto& [function, side] : crossings) crossed.push_back({function, side});
-    std::string fault = course_.happen(t, crossed, y, ahead);
-    done_.clear();
-    for (const auto& [event, before, after] : course_.done())
-      done_.push_back({event, before, after});
-    return fault;
-  }
-  const std::vector<Done>& done() const override { return done_; }
-  bool has_stopped() const override { return course_.has_stopped(); }
-  double next() const override { return course_.next(); }
-  int side(std::size_t function) const override { return course_.side(function); }
-
- private:
-  formula::EventCourse<double> course_;
-  std::vector<Done> done_;
-};
-
-}  // namespace
-
 std::shared_ptr<const Events> events_of(const formula::Problem& problem) {
   if (problem.events.empty()) return nullptr;
   auto all = std::make_shared<Events>();
@@ -57,7 +28,9 @@ std::shared_ptr<const Events> events_of(const formula::Problem& problem) {
   all->functions = [rules](double t, const double* y, double* values) {
     rules->functions(t, y, values);
   };
-  all->course = [rules](bool resumed) { return std::make_unique<TextCourse>(rules, resumed); };
+  all->course = [rules](bool resumed) {
+    return std::make_unique<formula::EventCourse<double>>(rules, resumed);
+  };
   return all;
 }
 

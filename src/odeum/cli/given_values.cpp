@@ -100,8 +100,9 @@ formula::Overrides overrides_of(const std::vector<std::string>& sets) {
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command) {
   std::string words;
   for (const std::string& set : sets) words += " --set " + shell_word(set);
-  if (const auto* const chosen = command.get_option_no_throw("--case"); chosen && *chosen)
-    words += " --case " + shell_word(chosen->results().front());
+  for (const char* name : {"--case", "--inputs"})
+    if (const auto* const given = command.get_option_no_throw(name); given && *given)
+      words += fmt::format(" {} {}", name, shell_word(given->results().front()));
   for (const std::string& file : command.get_option("--plugin")->results())
     words += " --plugin " + shell_word(file);
   return words;

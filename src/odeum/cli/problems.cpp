@@ -56,12 +56,19 @@ auto with_usage_errors(const cases::Named& named, const Work& work) {
   }
 }
 
+void require_no_inputs(const std::string& what, const ProblemOptions& options) {
+  if (!options.inputs.empty())
+    throw UsageError("--inputs: got {}, expected an FMU, whose inputs alone come from a file",
+                     shown(what));
+}
+
 /// The statements of a problem of that kind, or the chosen one, with ids that no other case has.
 std::vector<Statement> read(Session& session, const cases::Kind& kind, const cases::Named& named,
                             const ProblemOptions& options, bool all) {
   const std::string stem = std::filesystem::path(named.word()).stem().string();
-  cases::ReadProblem read =
-      kind.read(named, {report::file_stem(stem), overrides_of(options.sets), options.span});
+  if (!kind.has_inputs) require_no_inputs(named.word(), options);
+  cases::ReadProblem read = kind.read(
+      named, {report::file_stem(stem), overrides_of(options.sets), options.span, options.inputs});
   for (const std::string& warning : read.warnings) remark(warning + " (warning)");
   if (!all) keep_chosen(named.word(), options.chosen, read.statements);
   for (Statement& statement : read.statements) statement.id = unused_id(statement.id, kind.suffix);
@@ -89,6 +96,8 @@ void add_problem_options(CLI::App& command, ProblemOptions& options, bool words)
   add_option(command, "--set NAME=VALUE", options.sets,
              "another value of a parameter, see odeum list cases --parameters: --set B=2.5")
       ->allow_extra_args(false);
+  add_option(command, "--inputs FILE.csv", options.inputs,
+             "of an FMU over time, time,name,...: continuous ones piecewise linear, others held");
 }
 
 void require_no_choice(const std::string& what, const std::string& chosen) {
@@ -103,6 +112,7 @@ Case case_before_truth(Session& session, const cases::Named& what, const Problem
       return odeum::case_before_truth(read(session, *kind, what, options, false).front());
     });
   require_no_choice(what.word(), options.chosen);
+  require_no_inputs(what.word(), options);
   const Case c = with_sets(find_case(what.word()), options.sets);
   return options.span.given() ? cases::with_span(c, options.span) : c;
 }
@@ -139,10 +149,12 @@ std::vector<std::string> load_problems(Session& session, const ProblemOptions& o
       for (const auto& [name, fact] : c.facts) remark("{:<9}  {}", name, fact);
       std::string& name = session.words[c.id] = shell_word(word);
       for (const std::string& set : options.sets) name += " --set " + shell_word(set);
+      if (!options.inputs.empty()) name += " --inputs " + shell_word(options.inputs);
       globs.push_back(c.id);
     }
     loaded = true;
   }
+  if (!loaded) require_no_inputs(words.empty() ? "no problem" : words.front(), options);
   if (!loaded && !options.sets.empty())
     throw UsageError("--set: parameters are those of a problem file or an FMU, and none was given");
   return globs;

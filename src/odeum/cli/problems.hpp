@@ -20,6 +20,7 @@ struct ProblemOptions {
   std::vector<std::string> words;  ///< cases and files
   std::vector<std::string> sets;   ///< name=value
   std::string chosen;              ///< the case of a file with several; empty: none was named
+  std::string inputs;              ///< a file of inputs over time; empty: none
   cases::Span span = {};           ///< of case_of()
 };
 /// Adds `--set`, and the problems themselves, or where `words` is false `--case`, which chooses a
@@ -47,7 +48,8 @@ std::string struct_of(const Case& c, const SolverInfo& solver);
 /// The values that words after --set give, by name. Throws UsageError for a word other than
 /// NAME=VALUE, and for a name that is given twice.
 formula::Overrides overrides_of(const std::vector<std::string>& sets);
-/// The words that say `sets`, the chosen case and the plug-ins of `command`, each after a space.
+/// The words that say `sets`, the chosen case, the inputs and the plug-ins of `command`, each after
+/// a space.
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command);
 
 /// The globs on cases that words and `case_globs` come to, with the problem files and scenes among

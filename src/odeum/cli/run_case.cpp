@@ -141,6 +141,7 @@ std::string describe(const Case& c, const CaseRun& run, const RunRow& row) {
 std::string why_text(const Case& c, const CaseRun& run, const RunOptions& options) {
   constexpr std::uint64_t cheap = 500'000;
   constexpr double seconds = 5;
+  if (c.problem.events && c.problem.events->isolated) return {};
   Request request = run.request;
   request.stops = {request.stops.back()};
   const std::string solver = run.entrant->info.id();

@@ -8,6 +8,7 @@
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/run_rows.hpp"
 #include "odeum/core/clocks.hpp"
+#include "odeum/problem/events.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/trajectories/run_page.hpp"
 #include "odeum/truth/system.hpp"
@@ -102,6 +103,7 @@ int why_on(Session& session, const WhyOptions& options, const CLI::App& command)
   const truth::Deadline deadline(
       start + std::chrono::milliseconds(std::llround(1e3 * for_truth * options.seconds)));
   const Case c = case_within(session, options.what, options.problems, options.settings);
+  if (c.problem.events && c.problem.events->isolated) require_no_events(c, "why");
   const RunSettings settings = settings_for(c, options.settings);
   if (!has_setting(settings)) throw UsageError("why needs --step or --tol, or --rtol and --atol");
   // One that does not fit is a cause, too, beside which others are named.

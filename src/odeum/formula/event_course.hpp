@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "odeum/formula/problem.hpp"
+#include "odeum/problem/events.hpp"
 
 namespace odeum::formula {
 
@@ -51,35 +52,25 @@ struct EventRules {
 /// first; several of the same at once, from the values before all of them. What a reset makes true
 /// happens at the same time.
 template <class Real>
-class EventCourse {
+class EventCourse final : public EventCourseOf<Real> {
  public:
-  using State = std::vector<Real>;
-  /// A watched function that crosses zero, and its sign then; 0: it touches zero.
-  struct Crossing {
-    std::size_t function;
-    int side;
-  };
-  struct Done {
-    std::size_t event;
-    State before, after;
-  };
-  /// The signs of all watched functions a little later; an empty list where they are not known.
-  using Ahead = std::function<std::vector<int>(Real t, const State& y)>;
+  using typename EventCourseOf<Real>::State;
+  using typename EventCourseOf<Real>::Crossing;
+  using typename EventCourseOf<Real>::Done;
+  using typename EventCourseOf<Real>::Ahead;
 
   /// `resumed`: what happens at the time of the first call has happened.
   EventCourse(std::shared_ptr<const EventRules<Real>> rules, bool resumed)
       : rules_(std::move(rules)), resumed_(resumed) {}
 
-  /// Lets happen what happens at t; the first call is that at the start. Gives y the values after
-  /// it. A sentence where two reset one state in no order, where a value is not finite, or where
-  /// events call one another without end; else empty.
-  std::string happen(Real t, const std::vector<Crossing>& crossings, State& y, const Ahead& ahead);
-  const std::vector<Done>& done() const { return done_; }  ///< by the last call
-  bool has_stopped() const { return stopped_; }
-  /// The next time at which something happens by the clock; infinite: never.
-  Real next() const;
-  /// The sign that conditions see of a watched function; 0: it is zero and stays so.
-  int side(std::size_t function) const { return signs_[function]; }
+  /// A sentence where two reset one state in no order, where a value is not finite, or where events
+  /// call one another without end; else empty.
+  std::string happen(Real t, const std::vector<Crossing>& crossings, State& y,
+                     const Ahead& ahead) override;
+  const std::vector<Done>& done() const override { return done_; }
+  bool has_stopped() const override { return stopped_; }
+  Real next() const override;
+  int side(std::size_t function) const override { return signs_[function]; }
 
  private:
   struct Pending {

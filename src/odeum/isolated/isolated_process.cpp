@@ -29,7 +29,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What the process hands back, in memory that both share; states follow it.
+/// Numbers of events that are handed back, at most: times, which ones, states before and after.
+constexpr std::size_t event_room = 1U << 20U;
+
+/// What the process hands back, in memory that both share; states follow it, then events.
 struct Report {
   std::atomic<std::uint64_t> signs{0};  ///< of work
   std::atomic<std::uint64_t> evaluations{0}, jacobians{0};
@@ -37,7 +40,7 @@ struct Report {
   int status = 0;
   double t = 0;
   Counters counters;
-  std::uint64_t states = 0;
+  std::uint64_t states = 0, events = 0;
   double solve_ns = 0, processor_s = 0;
   char detail[2000] = {};
 
@@ -136,10 +139,21 @@ void write_result(const Outcome& outcome, std::size_t room, Report& report) {
   report.counters = outcome.counters;
   report.states = std::min(outcome.states.size(), room);
   std::copy_n(outcome.states.data(), report.states, report.values());
+  double* to = report.values() + room;
+  const double* const end = to + event_room;
+  for (const EventMet& met : outcome.events) {
+    const std::size_t n = met.before.size();
+    if (static_cast<std::size_t>(end - to) < 2 + 2 * n) break;
+    *to++ = met.t;
+    *to++ = static_cast<double>(met.event);
+    to = std::ranges::copy(met.before, to).out;
+    to = std::ranges::copy(met.after, to).out;
+    ++report.events;
+  }
   report.say(outcome.detail);
 }
 
-Outcome read_result(Report& report, std::size_t room) {
+Outcome read_result(Report& report, std::size_t room, std::size_t n) {
   Outcome outcome;
   outcome.status =
       static_cast<Status>(std::clamp(report.status, 0, static_cast<int>(Status::refused)));
@@ -147,6 +161,13 @@ Outcome read_result(Report& report, std::size_t room) {
   outcome.counters = report.counters;
   const std::size_t states = std::min<std::size_t>(report.states, room);
   outcome.states.assign(report.values(), report.values() + states);
+  const double* from = report.values() + room;
+  for (std::uint64_t k = 0; k < std::min<std::uint64_t>(report.events, event_room / (2 + 2 * n));
+       ++k, from += 2 + 2 * n)
+    outcome.events.push_back({from[0],
+                              static_cast<std::size_t>(from[1]),
+                              {from + 2, from + 2 + n},
+                              {from + 2 + n, from + 2 + 2 * n}});
   report.detail[sizeof report.detail - 1] = 0;
   outcome.detail = report.detail;
   return outcome;
@@ -180,7 +201,7 @@ Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, cons
   const auto start = Clock::now();
   const double used = processor_seconds();
   const std::size_t room = request.stops.size() * dimension;
-  const SharedMemory memory(sizeof(Report) + room * sizeof(double));
+  const SharedMemory memory(sizeof(Report) + (room + event_room) * sizeof(double));
   Report& report = *new (memory.get()) Report;
   bool over_budget = false;
   const std::string why = run_isolated(report, request.budget.seconds, over_budget, [&] {
@@ -196,7 +217,7 @@ Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, cons
     ++ended;
   else
     ended = 0;
-  Outcome outcome = read_result(report, room);
+  Outcome outcome = read_result(report, room, dimension);
   if (!why.empty()) {
     outcome.status = over_budget ? Status::over_budget : Status::refused;
     outcome.detail = why;

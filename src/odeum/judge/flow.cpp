@@ -50,7 +50,8 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
   ErasedContest contest = c.problem;
   if (contest.events && start > c.t0) {
     if (contest.events->remembers)
-      return refused("delays of events, which are not in its state, make a run one whole");
+      return refused(
+          "delays or discrete states, which its state does not tell, make a run one whole");
     auto resumed = std::make_shared<Events>(*contest.events);
     resumed->resumed = true;
     contest.events = std::move(resumed);

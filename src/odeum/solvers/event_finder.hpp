@@ -17,7 +17,8 @@ class EventFinder {
   struct Found {
     double t = 0;
     std::vector<std::size_t> functions;
-    explicit operator bool() const { return !functions.empty(); }
+    bool of_step = false;  ///< at the end of one, by the problem's own word
+    explicit operator bool() const { return of_step || !functions.empty(); }
   };
 
   /// `events` has to outlive this.

@@ -84,8 +84,17 @@ class EventProgress {
   }
 
   void take(Outcome part, double end) {
+    const std::size_t n = y_.size(), before = all_.states.size() / n;
     go_on_ = add_part(all_, std::move(part), request_.stops, end, y_);
     if (go_on_) t_ = end;
+    for (std::size_t k = before; events_.observe && k < all_.states.size() / n; ++k)
+      events_.observe(request_.stops[k], all_.states.data() + k * n);
+  }
+  /// Tells of the end of an accepted step, once; whether something happens there.
+  bool completes(double t, const double* y) {
+    if (!events_.steps || !(t > completed_)) return false;
+    completed_ = t;
+    return course_->completes(t, y);
   }
 
   /// Lets happen what happens at t_.
@@ -160,7 +169,7 @@ class EventProgress {
   bool go_on_ = true;
   std::uint64_t spent_ = 0;
   std::vector<double> crossings_;
-  double last_gap_ = 0;
+  double last_gap_ = 0, completed_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace odeum

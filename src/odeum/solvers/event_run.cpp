@@ -76,14 +76,15 @@ class EventRun : EventProgress {
   void arrive(const Found& found, Way&& way) {
     if (found.t > t_) way();
     if (!go_on_) return;
-    const std::vector<double> before = y_;
+    std::vector<double> before;
+    if (!events_.modal) before = y_;  // others have no residue at the zeros of those before
     happen_at(finder_.crossings(found));
     finder_.begin(found, *course_, before);
   }
 
   /// Looks into the steps of a run, whose states are asked of another one.
   Found look_between(const PartRun& run, double ahead, const Outcome& outcome) {
-    if (events_.senses.empty()) return {};
+    if (events_.senses.empty() && !events_.steps) return {};
     const std::vector<double> ends = ends_of(outcome, ahead);
     Request request = request_;
     request.record_steps = false;
@@ -110,7 +111,7 @@ class EventRun : EventProgress {
         states[node] = state_at(node_of(ends, k, node));
       if (std::ranges::find(states, nullptr) != states.end()) return {};
       const StepPolynomial polynomial(ends[k - 1], ends[k], states, n);
-      if (const Found found = finder_.look(ends[k - 1], ends[k], polynomial)) return on_stop(found);
+      if (const Found found = look(ends[k - 1], ends[k], polynomial, states.back())) return found;
     }
     return {};
   }
@@ -180,11 +181,18 @@ class EventRun : EventProgress {
         return arrive(found, [&] { take(tried(run, y_, t_, part_to(found.t, 1)), found.t); });
     take(std::move(outcome), end);
   }
+  /// Looks into a step, then at its end, where the state is y.
+  template <class StateAt>
+  Found look(double a, double b, const StateAt& state, const double* y) {
+    if (const Found found = finder_.look(a, b, state)) return on_stop(found);
+    if (!completes(b, y)) return {};
+    return {.t = at_stop(b), .functions = {}, .of_step = true};
+  }
   /// Looks into a step on Hermite's cubic, and where that has an event on states that are those of
   /// one step to each time.
   Found look_in_step(const PartRun& run, double a, const std::vector<double>& before, double b,
                      const std::vector<double>& after) {
-    if (events_.senses.empty()) return {};
+    if (events_.senses.empty() && !events_.steps) return {};
     std::vector<double> f0(y_.size()), f1(f0), inner(f0);
     contest_.view.rhs(contest_.view.problem, a, before.data(), f0.data());
     contest_.view.rhs(contest_.view.problem, b, after.data(), f1.data());
@@ -194,16 +202,18 @@ class EventRun : EventProgress {
       std::ranges::copy(inner, y);
       return true;
     };
-    if (!finder_.look(a, b, by_cubic)) return {};
+    const Found seen = look(a, b, by_cubic, after.data());
+    if (!seen || seen.of_step) return seen;
     finder_.restore(begun);
-    return on_stop(finder_.look(a, b, [&](double t, double* y) {
+    const auto by_one_step = [&](double t, double* y) {
       if (t == a || t == b) return std::ranges::copy(t == a ? before : after, y), true;
       Request one = part_to(t, 1);
       one.stops = {t};
       const Outcome outcome = tried(run, before, a, one);
       if (outcome.status == Status::ok) std::ranges::copy(outcome.states, y);
       return outcome.status == Status::ok;
-    }));
+    };
+    return look(a, b, by_one_step, after.data());
   }
   /// An event on a stop is at the stop, whatever rounding says, which then has the state after it.
   Found on_stop(Found found) const {

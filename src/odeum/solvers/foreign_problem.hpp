@@ -7,6 +7,8 @@
 
 #include "odeum/plugin.h"
 #include "odeum/problem/capabilities.hpp"
+#include "odeum/problem/events.hpp"
+#include "odeum/problem/piece.hpp"
 #include "odeum/solvers/foreign_evaluator.hpp"
 
 namespace odeum::foreign {
@@ -71,6 +73,10 @@ struct ProblemCallbacks {
   std::vector<std::string> components;                     ///< their names; may be empty
   std::vector<double> scale;                               ///< by component; empty: 1
   std::vector<std::pair<std::string, std::string>> facts;  ///< name and text, for people
+  /// Null: none. Their functions are called in an isolated process alone.
+  std::shared_ptr<const Events> events = nullptr;
+  std::vector<Switch> switches = {};  ///< ascending
+  std::string no_truth = {};          ///< why none can be had; empty: one may be
 };
 
 }  // namespace odeum::foreign

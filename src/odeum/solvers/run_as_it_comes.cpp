@@ -21,7 +21,7 @@ class RunAsItComes : EventProgress {
     while (go_on_ && t_ < end_) {
       const std::vector<EventCourse::Crossing> crossings =
           request_.mode == Mode::fixed ? advance_fixed() : advance();
-      if (!go_on_ || (crossings.empty() && !is_due(t_))) continue;
+      if (!go_on_ || !happens(t_, crossings)) continue;
       happen_at(crossings);
       begin();
     }
@@ -38,9 +38,13 @@ class RunAsItComes : EventProgress {
       if (const int side = course_->side(k); side != 0) signs_[k] = side;
   }
   bool is_due(double t) const { return course_->next() <= t || same_time(course_->next(), t); }
+  bool happens(double t, const Crossings& crossings) const {
+    return asked_ || !crossings.empty() || is_due(t);
+  }
   /// What changed its sign up to the end of a step.
   Crossings crossings_at(double t, const double* y) {
     Crossings all;
+    asked_ = completes(t, y);
     const std::vector<int> now = signs_at(t, y);
     for (std::size_t k = 0; k < now.size(); ++k) {
       const int before = signs_[k];
@@ -71,7 +75,7 @@ class RunAsItComes : EventProgress {
       const std::size_t n = y_.size(), reached = outcome.states.size() / n;
       for (std::uint64_t k = 1; k <= reached; ++k) {
         Crossings found = crossings_at(time(k), outcome.states.data() + (k - 1) * n);
-        if (found.empty() && !is_due(time(k))) continue;
+        if (!happens(time(k), found)) continue;
         go_to(k);
         return found;
       }
@@ -103,7 +107,7 @@ class RunAsItComes : EventProgress {
         for (std::size_t k = 0; k < reached; ++k) {
           const double t = at_stop(request.stops[k]);
           Crossings found = crossings_at(t, within.states.data() + k * n);
-          if (found.empty() && !is_due(t)) continue;
+          if (!happens(t, found)) continue;
           take(tried(run_, y_, t_, part_to(t, 0)), t);
           return found;
         }
@@ -123,6 +127,7 @@ class RunAsItComes : EventProgress {
   FixedGrid grid_;
   std::uint64_t made_ = 0;  ///< steps of the grid
   std::vector<int> signs_;
+  bool asked_ = false;  ///< for an event, at the end of the step looked at last
 };
 
 }  // namespace

@@ -33,10 +33,12 @@ class LoadError : public std::runtime_error {
 /// be used, or has the name of a library that is there.
 void add_plugin(const std::string& file);
 
-/// The problem in an FMU (adapters/fmi), with other values of parameters as NAME=VALUE. Its code
-/// was tried in a process of its own. Throws LoadError where it cannot be used.
+/// The problem in an FMU (adapters/fmi), with other values of parameters as NAME=VALUE, and inputs
+/// over time from a file; empty: they are held. Its code was tried in a process of its own. Throws
+/// LoadError where it cannot be used, and InputError for a wrong file of inputs.
 foreign::ProblemCallbacks open_fmu(const std::string& file,
-                                   const std::map<std::string, std::string>& values = {});
+                                   const std::map<std::string, std::string>& values = {},
+                                   const std::string& inputs = {});
 
 /// What is read of FMI and by which libraries; empty: nothing.
 std::string fmi_support();

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/formula/event_course.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::truth {
@@ -111,7 +110,7 @@ class EventsAlong {
   }
 
  private:
-  using Crossings = std::vector<formula::EventCourse<Real>::Crossing>;
+  using Crossings = std::vector<ZeroCrossing>;
   static constexpr std::size_t many = 16;
   static constexpr Real at_once = 0x1p-52L, unclear = 0x1p-36L;  // of the span
 
@@ -155,7 +154,8 @@ class EventsAlong {
     mode.rhs(t, y.data(), g.data());
     for (std::size_t i = 0; i < y.size(); ++i)
       if (const Real slopes = std::abs(f[i]) + std::abs(g[i]); std::isfinite(slopes))
-        whole.unsure[i] += slopes * 0x1p-62L * std::max(std::abs(events_->origin + t), std::abs(t));
+        whole.unsure[i] += slopes * (events_->in_double ? 0x1p-50L : 0x1p-62L) *
+                           std::max(std::abs(events_->origin + t), std::abs(t));
     for (std::size_t k = 0; !by_clock && k < times_.size(); ++k)
       if (std::abs(times_[k] - t) <= 0x1p-40L * span_) whole.ambiguous.push_back(k);
     if (!course_->has_stopped()) return true;
@@ -168,7 +168,7 @@ class EventsAlong {
   const std::vector<Real>& times_;
   bool moved_;
   Real span_;
-  std::unique_ptr<formula::EventCourse<Real>> course_;
+  std::unique_ptr<EventCourseOf<Real>> course_;
   State values_, recent_;
   std::vector<int> crossed_;  ///< the senses in which functions crossed zero at the last change
 };

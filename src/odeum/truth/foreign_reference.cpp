@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "odeum/isolated/isolated_process.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
 #include "odeum/problem/shared.hpp"
+#include "odeum/truth/foreign_happenings.hpp"
 
 namespace odeum::truth {
 namespace {
@@ -107,12 +109,25 @@ std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, st
   system.rounding = 0x1p-53L;
   // The work of a call of foreign code is assumed; what it really takes is not known.
   system.work = 200 + 20 * static_cast<double>(n);
+  add_happenings(given, system);
   const std::size_t room = (stops.size() + 100) * 2 * (n + 2) * 32 + 4096;
+  constexpr const char* none = "none: ";
   const auto [ended, text] = isolated::text_isolated(
-      [&] { return to_text(compute_reference(system, stops, {given.scale})); }, room, most_seconds);
+      [&] {
+        if (const double t = first_event_of_step(given, view_of(given_problem)); std::isfinite(t))
+          return fmt::format(
+              "{}it asks for an event at the end of a step, at t = {:.6g}, so that "
+              "its solution depends on the steps",
+              none, t);
+        return to_text(compute_reference(system, stops, {given.scale}));
+      },
+      room, most_seconds);
   std::optional<Reference> reference;
-  if (ended) reference = from_text(text, n);
-  if (!reference) why = ended ? "the reference could not be read" : text;
+  if (ended && !text.starts_with(none)) reference = from_text(text, n);
+  if (!reference)
+    why = !ended                   ? text
+          : text.starts_with(none) ? text.substr(std::strlen(none))
+                                   : "the reference could not be read";
   return reference;
 }
 

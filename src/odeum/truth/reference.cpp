@@ -131,7 +131,7 @@ class Search {
     const Effort effort{.tolerance = 1e-13L,
                         .budget = left_ / 4,
                         .inspect = found_,
-                        .disturb = !system_.mode_at,
+                        .disturb = !system_.mode_at || rounds_at_events(),
                         .until = until_};
     if (system_.mode_at) return run_across(family_.for_moved, system_, elapsed_, effort, true);
     System moved = system_;
@@ -232,7 +232,6 @@ class Search {
     // Rounding of constants is one error with one sign, which two methods share.
     // The disagreement of two methods can be small by chance at one time, and errors of both can
     // have the same sign; where there are kinks, each misses them alike.
-    const Real safety = this->safety();
     const std::size_t n = system_.states;
     State apart(n, 0), largest(n, 0);
     extend(largest, system_.y0);
@@ -240,11 +239,11 @@ class Search {
       const State& y = best.a.states[k];
       extend(apart, best.apart[k]);
       extend(largest, y);
-      State constants(n, 0);
+      State constants(n, rounds_at_events() ? HUGE_VALL : 0), floors(n);
       if (moved_ && k < moved_->states.size()) constants = difference_of(y, moved_->states[k]);
-      State floors(n);
       for (std::size_t i = 0; i < n; ++i)
-        floors[i] = safety * apart[i] + 10 * constants[i] / moved_by * 0x1p-64L +
+        floors[i] = safety() * apart[i] +
+                    10 * constants[i] / moved_by * (rounds_at_events() ? 0x1p-54L : 0x1p-64L) +
                     unsure(best.a, k, i) + unsure(best.b, k, i) +
                     least * (units_.is_relative(i) ? std::abs(y[i]) : largest[i]);
       if (!(largest_of(floors, y, units_) <= few_digits * size_of(largest))) {
@@ -264,6 +263,7 @@ class Search {
     return r;
   }
 
+  bool rounds_at_events() const { return system_.events && system_.events->in_double; }
   Real safety() const { return system_.smooth ? 10 : 100; }
   std::string why(const Comparison& best) const {
     if (best.known < std::min(best.a.states.size(), best.b.states.size()))

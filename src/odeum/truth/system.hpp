@@ -11,12 +11,8 @@
 #include <vector>
 
 #include "odeum/core/error_units.hpp"
+#include "odeum/problem/events.hpp"
 #include "odeum/problem/sparsity.hpp"
-
-namespace odeum::formula {
-template <class Real>
-class EventCourse;
-}
 
 /// References that Odeum computes for problems without a closed form: by two methods of different
 /// families in extended precision, which no competitor is (their steps, orders and programs are not
@@ -67,9 +63,10 @@ struct Happenings {
   std::vector<int> senses;    ///< by function: 1 rising, -1 falling, 0 either
   std::size_t of_events = 0;  ///< so many functions are those of events, the others of conditions
   Real origin = 0;            ///< what is added to a time
+  bool in_double = false;     ///< states and times are rounded to double at events
   /// The functions, on constants that are moved or not.
   std::function<void(Real t, const Real* y, Real* values, bool moved)> values;
-  std::function<std::unique_ptr<formula::EventCourse<Real>>(bool moved)> course;  ///< of one run
+  std::function<std::unique_ptr<EventCourseOf<Real>>(bool moved)> course;  ///< of one run
 };
 
 /// An initial value problem in extended precision. Times and states are in the problem's units; y,

@@ -38,6 +38,7 @@ struct Given {
   std::string id;          ///< of a file's only case
   formula::Overrides set;  ///< values of parameters
   Span span = {};
+  std::string inputs = {};  ///< a file of inputs over time; empty: none
 };
 
 /// The cases that a file states, one at least.
@@ -57,6 +58,7 @@ struct Kind {
   /// Throws InputError, std::invalid_argument for a wrong value of a parameter, std::length_error
   /// for a problem that is too large, and LoadError for one whose code cannot be loaded.
   ReadProblem (*read)(const Named& named, const Given& given);
+  bool has_inputs = false;  ///< over time, from a file
 };
 
 /// The kind of the problem that is named; null: a case of the catalogue, or nothing.

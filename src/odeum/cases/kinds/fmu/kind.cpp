@@ -8,7 +8,7 @@ namespace odeum::cases {
 namespace {
 
 ReadProblem read_fmu(const Named& named, const Given& given) {
-  foreign::ProblemCallbacks model = open_fmu(named.word(), given.set);
+  foreign::ProblemCallbacks model = open_fmu(named.word(), given.set, given.inputs);
   model.id = given.id;
   std::string content = model.content;
   return {{foreign_statement(std::move(model))}, std::move(content)};
@@ -17,8 +17,9 @@ ReadProblem read_fmu(const Named& named, const Given& given) {
 }  // namespace
 
 Kind fmu_kind() {
-  return {"problem", "_fmu", false,
-          [](const Named& named) { return named.word().ends_with(".fmu"); }, read_fmu};
+  return {"problem", "_fmu",
+          false,     [](const Named& named) { return named.word().ends_with(".fmu"); },
+          read_fmu,  true};
 }
 
 }  // namespace odeum::cases
