@@ -7,7 +7,15 @@ states: {x: 1, v: 0}
 equations: {x: v, v: \"-k*x - 0.1*v + sin(w*t)\"}
 time: {end: 10}
 ")
-set(runs "lotka_volterra --solver rk4 --step 0.01" "kepler_e06 --solver velocity_verlet --step 0.01"
+file(WRITE ${FOLDER}/bounces.yaml "parameters: {r: 0.7}
+states: {h: 1, v: 0, n: 0}
+equations: {h: v, v: -9.81, n: 0}
+time: {end: 2}
+events:
+  - {when: h, falling: true, set: {h: 0, v: -r*v, n: n + 1}}
+  - {at: 0.25, every: 0.5, until: 1.5, set: {v: v + 0.1}}
+")
+set(runs "${FOLDER}/bounces.yaml --solver dormand_prince54 --tol 1e-8" "lotka_volterra --solver rk4 --step 0.01" "kepler_e06 --solver velocity_verlet --step 0.01"
          "vdp_mu1 --solver radau_iia5 --tol 1e-9" "damped_oscillator_critical --solver gragg_bulirsch_stoer --tol 1e-9"
          "${FOLDER}/driven.yaml --set k=3 --solver rodas4 --tol 1e-7" "${FOLDER}/driven.yaml --solver gsl/bsimp --tol 1e-8"
          "lotka_volterra --solver cvode/adams --tol 1e-8" "hires --solver cvode/bdf --tol 1e-6"
@@ -49,4 +57,8 @@ endforeach()
 run(${odeum} run lotka_volterra --solver arkode/erkstep_cash_karp_6_4_5 --tol 1e-8 --code)
 if(NOT result EQUAL 2 OR NOT output MATCHES "there is no program for arkode")
   message(FATAL_ERROR "--code for a peer: ${result}\n${output}")
+endif()
+run(${odeum} run ${FOLDER}/bounces.yaml --solver cvode/bdf --tol 1e-8 --code)
+if(NOT result EQUAL 2 OR NOT output MATCHES "on a text with events")
+  message(FATAL_ERROR "--code for a peer with events: ${result}\n${output}")
 endif()

@@ -210,6 +210,23 @@ TEST(Why, CountsEventsAndNamesThoseWithoutEnd) {
   EXPECT_EQ(without_end.find("\nkink"), std::string::npos) << without_end;
 }
 
+// Events are found by more runs over the same steps, which the evaluations of a run leave out.
+TEST(Why, SegmentsOfARunWithEventsHaveItsEvaluations) {
+  const tests::TemporaryFolder root;
+  const std::string file = (root.path() / "room.yaml").string();
+  tests::write_text(file,
+                    "states: {x: 20, heat: 1}\nequations: {x: -0.1*x + 5*heat, heat: 0}\n"
+                    "time: {end: 24}\nevents:\n"
+                    "  - {when: x - 21, rising: true, set: {heat: 0}}\n"
+                    "  - {when: x - 19, falling: true, set: {heat: 1}}\n");
+  const auto said = nlohmann::json::parse(
+      shell("odeum why " + file + " --solver dormand_prince54 --tol 1e-8 --format json").output);
+  double sum = 0;
+  for (const auto& segment : said["segments"]) sum += segment["rhs_evaluations"].get<double>();
+  // Each segment is rounded, and has those at its ends.
+  EXPECT_NEAR(sum, said["rhs_evaluations"].get<double>(), 0.02 * sum + 8);
+}
+
 TEST(Why, RefusesWhatIsNoQuestion) {
   for (const std::string arguments :
        {"kepler_e06 --solver rk4", "kepler_e06 --tol 1e-3", "kepler_e06 --solver rk4 --step 0",

@@ -232,7 +232,6 @@ std::vector<CaseRun> runs_of(const Case& c, const RunOptions& options) {
 int print_code(const Case& c, const RunOptions& options) {
   require_solver_and_setting(options);
   if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
-  require_no_events(c, "--code");
   const Entrant& entrant = find_entrant(c.entrants, c.id, options.solvers.front());
   Request request = make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info);
   request.options = library_options(options, entrant.info);

@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "odeum/cases/case_text.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/solvers/first_step.hpp"
@@ -59,12 +60,28 @@ const char* shared_type(const Case& c, const SolverInfo& info) {
   return c.problem.view.velocity_dependent ? "SharedSecondOrder" : "SharedSeparable";
 }
 
+std::vector<formula::Event> events_of(const Case& c) {
+  cases::CaseText text(*c.text);
+  return text.problem().events;
+}
+
 /// The program that makes the run. Throws UsageError where none does.
-std::string program_for(const SolverInfo& info, bool stated, const Request& request) {
+std::string program_for(const Case& c, const SolverInfo& info, bool stated,
+                        const Request& request) {
   const auto refuse = [&](const char* why) {
     throw UsageError("--code: there is no program for {} {}", info.id(), why);
   };
   if (info.method.ends_with(as_it_comes)) refuse("which only this laboratory runs");
+  if (c.problem.events) {
+    if (!stated) refuse("on a model with events that no text states");
+    if (info.library != "odeum" || info.needs.starts_with("residuals"))
+      refuse("on a text with events: own methods have one");
+    for (const formula::Event& event : events_of(c))
+      if (event.condition != formula::no_node || event.delay != formula::no_node ||
+          event.priority != formula::no_node)
+        refuse("on events with conditions, delays or priorities");
+    return "events";
+  }
   if (info.library == "odeum" && !info.needs.starts_with("residuals"))
     return stated ? "odeum" : "laboratory";
   if (!stated) refuse("on a case that no text of equations states");
@@ -92,12 +109,39 @@ double first_step_of(const Case& c, const SolverInfo& info, const Request& reque
   return first_step(view, c.t0, c.y0, request.stops.back(), order, request.tolerance);
 }
 
+/// What the program of a text with events has of them.
+void add_events(const Case& c, std::map<std::string, std::string>& values) {
+  const std::vector<formula::Event> events = events_of(c);
+  std::vector<std::string> whens, ranks, clock;
+  std::vector<std::pair<double, std::size_t>> times;
+  std::vector<std::size_t> order(events.size());
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    order[k] = k;
+    if (events[k].when != formula::no_node)
+      whens.push_back(fmt::format("std::pair<std::size_t, Crossing>{{{}, Crossing::{}}}", k,
+                                  events[k].sense > 0   ? "rising"
+                                  : events[k].sense < 0 ? "falling"
+                                                        : "any"));
+    for (const long double t : events[k].times)
+      if (t > c.t0 && t <= c.end()) times.emplace_back(static_cast<double>(t), k);
+  }
+  std::ranges::sort(times);
+  for (const auto& [t, k] : times) clock.push_back(fmt::format("{{{}, {}}}", number(t), k));
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return events[k].order; });
+  for (const std::size_t k : order)
+    ranks.push_back(fmt::format("{{{}, {}, {}}}", k, events[k].order, events[k].stop));
+  values["watched"] = fmt::format("{}", whens.size());
+  values["whens"] = fmt::format("{}", fmt::join(whens, ", "));
+  values["clock"] = fmt::format("{}", fmt::join(clock, ", "));
+  values["ranks"] = fmt::format("{}", fmt::join(ranks, ", "));
+}
+
 }  // namespace
 
 std::string code_of(const Case& c, const std::string& problem, const Entrant& entrant,
                     const Request& request) {
   const SolverInfo& info = entrant.info;
-  const std::string name = program_for(info, !problem.empty(), request);
+  const std::string name = program_for(c, info, !problem.empty(), request);
   const bool fixed = request.mode == Mode::fixed;
   const double end = request.stops.back();
   const bool needs_eigen = info.family == "implicit_rk" || info.family == "exponential";
@@ -112,6 +156,7 @@ std::string code_of(const Case& c, const std::string& problem, const Entrant& en
       {"t0", number(c.t0)},
       {"end", number(end)},
       {"y0", list_of(c.y0)}};
+  if (name == "events") add_events(c, values);
   std::set<std::string> holds{info.method};
   if (fixed) {
     holds.insert("step");

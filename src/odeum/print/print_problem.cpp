@@ -40,6 +40,7 @@ class ProblemPrinter {
       print_series(out_, "void taylor(double t, const double* y, int order, double* c) const {",
                    problem_, *analysis_.series);
     for (const Invariant& invariant : problem_.invariants) print_invariant(invariant);
+    if (!problem_.events.empty()) print_events();
     out_.line("}};");
     return std::move(out_.text);
   }
@@ -61,6 +62,10 @@ class ProblemPrinter {
     if (offers.series && analysis_.series)
       for (const SeriesPlan::Step& step : analysis_.series->steps) needed.insert(step.id);
     for (const Invariant& invariant : problem_.invariants) need({invariant.value});
+    for (const Event& event : problem_.events) {
+      if (event.when != no_node) need({event.when});
+      need(values_of(event));
+    }
     for (std::size_t k = definitions.size(); k-- > 0;)
       if (needed.contains(definitions[k].id))
         needed.insert(definitions[k].of.begin(), definitions[k].of.end());
@@ -136,6 +141,32 @@ class ProblemPrinter {
     out_.line("  return {};\n  }}", out_.name(invariant.value, in_double));
   }
 
+  static std::vector<Id> values_of(const Event& event) {
+    std::vector<Id> values;
+    for (const auto& [state, value] : event.set) values.push_back(value);
+    return values;
+  }
+  /// The functions of which a zero is an event, 0 for one at times, and what an event sets.
+  void print_events() {
+    std::vector<Id> functions;
+    for (const Event& event : problem_.events) functions.push_back(event.when);
+    out_.line("  static constexpr std::size_t events = {};", functions.size());
+    print_function("void event_functions(double t, const double* y, double* g)", functions, "g",
+                   in_double);
+    out_.line(
+        "  void happen(std::size_t event, double t, const double* y, double* after) const {{");
+    out_.line("    (void)t, (void)y, (void)after;");
+    for (std::size_t k = 0; k < problem_.events.size(); ++k) {
+      const Event& event = problem_.events[k];
+      out_.line("    if (event == {}) {{  // {}", k, event.name);
+      print_nodes(out_, {}, values_of(event), in_double);
+      for (const auto& [state, value] : event.set)
+        out_.line("      after[{}] = {};", state, out_.name(value, in_double));
+      out_.line("    }}");
+    }
+    out_.line("  }}");
+  }
+
   const Problem& problem_;
   const Analysis& analysis_;
   Printer out_;
@@ -162,8 +193,8 @@ constexpr std::string_view taken[] = {
     "OVERFLOW", "PLOSS", "RAND_MAX", "SING", "stderr", "stdin", "stdout", "TLOSS", "UNDERFLOW",
     "unix",
     // the struct's own
-    "acceleration", "dimension", "energy", "explicit_part", "implicit_jacobian", "implicit_part",
-    "jacobian", "linear_matrix", "power", "rhs", "root", "slopes", "square", "std", "sum",
+    "acceleration", "after", "dimension", "energy", "event", "event_functions", "events",
+    "explicit_part", "happen", "implicit_jacobian", "implicit_part", "jacobian", "linear_matrix", "power", "rhs", "root", "slopes", "square", "std", "sum",
     "taylor", "time_derivative", "velocity_dependent"};
 // clang-format on
 constexpr std::string_view taken_beginnings[] = {"FP_", "kept_", "M_", "MATH_", "SEEK_"};

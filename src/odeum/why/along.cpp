@@ -253,9 +253,16 @@ void make_segments(Inquiry& q) {
   while (q.why.segments.size() > most_rows && (least *= 2) < 0.5);
   std::vector<double> times = q.run.trace.times;
   std::ranges::sort(times);
-  for (Segment& segment : q.why.segments)
-    segment.evaluations =
+  // Events are found by more runs over the same steps, which the counts leave out.
+  const double part = q.run.outcome.events.empty() || times.empty()
+                          ? 1
+                          : static_cast<double>(q.run.outcome.counters.rhs_evaluations) /
+                                static_cast<double>(times.size());
+  for (Segment& segment : q.why.segments) {
+    const auto noted =
         std::ranges::upper_bound(times, segment.to) - std::ranges::lower_bound(times, segment.from);
+    segment.evaluations = std::lround(part * static_cast<double>(noted));
+  }
 }
 
 void share_out(Inquiry& q) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "odeum/solvers/event_run.hpp"
 #include "odeum/why/inquiry.hpp"
 
 namespace odeum::why {
@@ -88,8 +89,13 @@ std::vector<Moment> starts_along(const Inquiry& q) {
   Request request = run.request;
   request.record_steps = false;
   request.stops.clear();
+  std::vector<double> events;
+  for (const EventMet& event : run.outcome.events) events.push_back(event.t);
   for (std::size_t k = 1; k < intervals; ++k)
-    request.stops.push_back(t0 + (end - t0) * static_cast<double>(k) / intervals);
+    request.stops.push_back(
+        between_events(t0 + (end - t0) * static_cast<double>(k) / intervals, events, t0, end));
+  std::ranges::sort(request.stops);
+  request.stops.erase(std::unique(request.stops.begin(), request.stops.end()), request.stops.end());
   request.stops.push_back(end);
   for (const double t : request.stops) states.push_back({.t = t, .y = q.c.y0});
   const auto known = [&](Moment& at) {
@@ -102,7 +108,7 @@ std::vector<Moment> starts_along(const Inquiry& q) {
   }
   const Outcome outcome = q.make(q.c, run.solver, request, 0, 0.2).outcome;
   const std::size_t n = q.c.y0.size(), made = outcome.states.size() / n;
-  if (outcome.status != Status::ok || made != intervals) return {};
+  if (outcome.status != Status::ok || made + 1 != states.size()) return {};
   for (std::size_t k = 0; k < made; ++k)
     std::copy_n(outcome.states.begin() + static_cast<std::ptrdiff_t>(k * n), n,
                 states[k + 1].y.begin());
