@@ -82,7 +82,7 @@ TEST(Why, TheRunThatItNamesIsBetter) {
       EXPECT_TRUE(why.known_by.empty()) << made.name << " is known, and a shorter run is named";
       continue;
     }
-    const Outcome theirs = c.entrants.find(other.solver)->solve(other.request),
+    const Outcome theirs = c.entrants.find(other.id())->solve(other.request),
                   ours = c.entrants.find(made.solver)->solve(tests::made_request(made, c));
     ASSERT_EQ(theirs.status, Status::ok) << made.name;
     if (ours.status != Status::ok) {

@@ -61,7 +61,7 @@ std::vector<trajectories::CaseRun> shown_runs(const Case& c, const why::Why& why
   Request request = other.request;
   ask_for_output(request, {}, c.t0, c.y0.size());
   request.budget.evaluations = 2 * other.counters.work + 100'000;
-  const Entrant& entrant = other.solver == why.solver ? same : *c.entrants.find(other.solver);
+  const Entrant& entrant = other.id() == why.solver ? same : *c.entrants.find(other.id());
   runs.push_back({&entrant, request, trajectories::solve_with_outputs(entrant, request)});
   return runs;
 }

@@ -10,6 +10,7 @@
 
 #include "odeum/judge/errors.hpp"
 #include "odeum/judge/flow.hpp"
+#include "odeum/judge/variations.hpp"
 
 namespace odeum::judge {
 namespace {
@@ -93,8 +94,37 @@ std::vector<States> units_along(const Case& c, const Tolerance& asked, const Pat
   return units;
 }
 
+/// Phi(next, t) by the variational equations; empty where there are none, or where they deny what
+/// a run from beside the path shows, as they do where f jumps.
+States exact_matrix(const Case& c, const Tolerance& finest, Flow& flow, const Path& path,
+                    std::size_t k) {
+  constexpr std::size_t most_unknowns = 16;  // differences cost less where n^3 is dear
+  constexpr double agreed = 0.1;
+  const States& from = path.states[k];
+  const std::size_t n = from.size();
+  if (n > most_unknowns || !flow.is_explicit() || c.problem.events) return {};
+  const States units = units_of(finest, from);
+  const States all = with_variations(c, path.times[k], from, path.times[k + 1], finest, units);
+  if (all.empty()) return {};
+  const States matrix(all.begin() + static_cast<std::ptrdiff_t>(n), all.end());
+  States moved = from;
+  for (std::size_t j = 0; j < n; ++j) moved[j] += (j % 2 ? -1 : 1) * perturbation * units[j];
+  const States there = flow.solve(path.times[k], moved, {path.times[k + 1]});
+  double size = 0, apart = 0;
+  const States end = units_of(finest, there);
+  for (std::size_t i = 0; i < n; ++i) {
+    double told = 0;
+    for (std::size_t j = 0; j < n; ++j) told += matrix[i * n + j] * (moved[j] - from[j]);
+    size = std::max(size, std::abs(told) / end[i]);
+    apart = std::max(apart, std::abs(there[i] - all[i] - told) / end[i]);
+  }
+  return apart <= agreed * std::max(size, perturbation) ? matrix : States();
+}
+
 /// Phi(next, t) for two neighbouring times of a path, row-major.
-States step_matrix(const Tolerance& finest, Flow& flow, const Path& path, std::size_t k) {
+States step_matrix(const Case& c, const Tolerance& finest, Flow& flow, const Path& path,
+                   std::size_t k) {
+  if (States matrix = exact_matrix(c, finest, flow, path, k); !matrix.empty()) return matrix;
   const States& from = path.states[k];
   const std::size_t n = from.size();
   const std::vector<double> to{path.times[k + 1]};
@@ -132,7 +162,7 @@ void by_all_columns(const Case& c, Flow& flow, const std::vector<double>& stops,
   std::vector<States> matrices;
   const std::vector<States> units = units_along(c, asked, path);
   for (std::size_t k = 0; k + 1 < path.times.size(); ++k)
-    matrices.push_back(step_matrix(finest_of(c, asked, tolerance), flow, path, k));
+    matrices.push_back(step_matrix(c, finest_of(c, asked, tolerance), flow, path, k));
   for (std::size_t stop = 0; stop < stops.size(); ++stop) {
     const std::size_t at = path.index_of(stops[stop]);
     for (const std::size_t component : measured_components(c)) {

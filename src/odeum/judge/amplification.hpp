@@ -31,16 +31,17 @@ struct Amplification {
   std::string unknown;         ///< why it could not be measured, in a sentence; empty: it was
 };
 
-/// Measures it by differences of the flow: own methods to a tolerance of 1e-10 from states along
-/// the solution, each component moved by 1e-6 (smallest threshold_i + |y_i|), over the intervals
-/// between the stops and 48 other times that part the evaluations of a run evenly; Phi is the
-/// product over intervals. Above 64 components: 4 random directions at the start and at 4
-/// other times, runs to 1e-7, moved by 1e-4. Costs some (n + 1) solves, or a dozen. Unknown where
-/// the runs fail or do not end at the truth. The thresholds are those of the tolerance (see
-/// core/tolerance.hpp) that a run is judged by, or the case's; runs and perturbations are by the
-/// smaller of both. `stops` ascend after the start of the case; `asked` is relative and absolute,
-/// the latter in the units of the components. Throws nothing for a run that fails. Several threads
-/// may measure at once.
+/// Measures it over the intervals between the stops and 48 other times that part the evaluations of
+/// a run evenly; Phi is the product over intervals. Each is integrated, or, of stiff problems,
+/// above 16 components and where a run beside the solution denies that, taken from differences of
+/// runs to a tolerance of 1e-10, each component moved by 1e-6 (smallest threshold_i + |y_i|):
+/// errors of those multiply where each interval shears and none stretches, as along an orbit. Above
+/// 64 components: 4 random directions at the start and at 4 other times, runs to 1e-7, moved by
+/// 1e-4. Costs some (n + 1) solves, or a dozen. Unknown where the runs fail or do not end at the
+/// truth. The thresholds are those of the tolerance (see core/tolerance.hpp) that a run is judged
+/// by, or the case's; runs and perturbations are by the smaller of both. `stops` ascend after the
+/// start of the case; `asked` is relative and absolute, the latter in the units of the components.
+/// Throws nothing for a run that fails. Several threads may measure at once.
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops,
                                     const Tolerance& asked);
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops);

@@ -91,7 +91,7 @@ std::uint64_t foreseen_evaluations(const Outcome& ended, const std::vector<doubl
 }  // namespace
 
 Flow::Flow(const Case& c, double end, const char* explicit_method, const Tolerance& tolerance)
-    : case_(c), method_(explicit_method), tolerance_(tolerance) {
+    : case_(c), explicit_method_(explicit_method), method_(explicit_method), tolerance_(tolerance) {
   const auto attempt = [&](const char* method, std::uint64_t budget) {
     method_ = method;
     evaluated_.clear();

@@ -16,6 +16,7 @@ class Flow {
   /// Throws std::runtime_error, with a clause that says why, where neither method gets to `end`.
   Flow(const Case& c, double end, const char* explicit_method, const Tolerance& tolerance);
 
+  bool is_explicit() const { return method_ == explicit_method_; }
   /// The states at the stops, one after the other, from y at `start`. Throws like the constructor.
   std::vector<double> solve(double start, const std::vector<double>& y,
                             const std::vector<double>& stops);
@@ -28,7 +29,7 @@ class Flow {
 
  private:
   const Case& case_;
-  const char* method_;
+  const char *explicit_method_, *method_;
   Tolerance tolerance_;
   std::vector<double> evaluated_;  ///< the times of evaluations, ascending
   std::vector<double> happened_;   ///< those of events

@@ -33,7 +33,7 @@ double as_exact(const Inquiry& q) {
 enum class Worth { better, fair, dear, none };
 Worth worth_of(const Inquiry& q, const Other& other) {
   using enum Worth;
-  if (other.status != Status::ok) return none;
+  if (!other.ok()) return none;
   const double theirs = other.difference, ours = q.difference(q.run), want = wanted(q);
   // A shorter run, where none gets to the end.
   if (other.reached < q.run.request.stops.back())
@@ -213,7 +213,7 @@ void choose(Inquiry& q) {
     Worth worth = worth_of(q, other);
     if (worth == Worth::none) continue;
     // The run with another absolute tolerance comes first where that is at fault.
-    if (q.found(Cause::absolute) && other.solver != q.why.solver)
+    if (q.found(Cause::absolute) && other.id() != q.why.solver)
       worth = std::max(worth, Worth::fair);
     const bool whole = other.reached == end && other.difference <= far_off;
     const double error = other.difference > 10 * wanted(q) ? other.difference : 0;

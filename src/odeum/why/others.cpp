@@ -107,12 +107,10 @@ void Inquiry::keep(const Run& from) {
   const Request& request = from.request;
   made.trace.times = {};  // nothing asks for them
   made.moments.resize(1);
-  Other other{.solver = made.solver,
-              .request = request,
-              .status = made.outcome.status,
-              .counters = made.outcome.counters,
-              .reached = made.ends.back()};
-  if (made.ok()) other.reached = request.stops.back();
+  Other other;
+  other.take(c, c.entrants.find(made.solver)->info, request, made.outcome);
+  other.request = request;
+  other.reached = made.ok() ? request.stops.back() : made.ends.back();
   other.error = error_at_end(request, made.outcome);
   other.request.record_steps = false;
   why.others.push_back(std::move(other));

@@ -64,7 +64,7 @@ Run Inquiry::make(const Case& on, const std::string& solver, Request request, st
                crowding = used > 0.1 ? std::clamp(wall / used, 1.0, 3.0) : 1;
   request.budget.seconds = std::min(request.budget.seconds,
                                     std::max(0.1, std::floor(5 * share * crowding * left()) / 10));
-  return record(on, solver, request, moments);
+  return measure::record(on, solver, request, moments);
 }
 
 void Inquiry::add(Cause cause, double share, double from, std::string text) {

@@ -7,6 +7,7 @@
 #include "odeum/cases/conditions.hpp"
 #include "odeum/measure/local.hpp"
 #include "odeum/measure/recording.hpp"
+#include "odeum/measure/run_record.hpp"
 #include "odeum/why/kink.hpp"
 
 /// What a run spends its steps on, why it failed, and what does better: by this run, by measuring
@@ -57,16 +58,14 @@ struct Segment {
   std::string component = {};
 };
 
-/// Another run that was made.
-struct Other {
-  std::string solver;
+/// Another run that was made. Its error is that at its end, NaN where the truth is not known.
+struct Other : measure::RunRecord {
   Request request;
-  Status status = Status::ok;
-  Counters counters = {};
   double reached = nan;
-  double error = nan;  ///< where the truth is known
   /// Largest difference of a component from what is known at its end, over the component's size.
   double difference = nan;
+
+  std::string id() const { return library + "/" + solver; }
 };
 
 struct Why {

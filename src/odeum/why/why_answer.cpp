@@ -54,10 +54,10 @@ std::string table_of(const Why& why) {
 /// Another run's solver, or its tolerance where that alone is another one.
 std::string said(const Other& other, const Why& why) {
   const double tolerance = other.request.tolerance.relative;
-  return other.solver == why.solver && other.request.mode == Mode::adaptive &&
+  return other.id() == why.solver && other.request.mode == Mode::adaptive &&
                  tolerance != why.request.tolerance.relative
              ? fmt::format("the same to a tolerance of {:g}", tolerance)
-             : other.solver;
+             : other.id();
 }
 
 /// What the better run does better.
@@ -123,7 +123,7 @@ std::string setting_of(const Request& request, const Case& c) {
 std::string command_of(const Why& why, const Case& c, const advise::Asked& asked) {
   if (!why.better) return {};
   const Other& other = why.others[*why.better];
-  return fmt::format("odeum run {}{} --solver {} {}", asked.problem, asked.more, other.solver,
+  return fmt::format("odeum run {}{} --solver {} {}", asked.problem, asked.more, other.id(),
                      setting_of(other.request, c));
 }
 
@@ -189,9 +189,8 @@ std::string text_of(const Why& why, const Case& c, const advise::Asked& asked,
         "evaluations\n";
   text += measure_of(why);
   for (const Other& other : why.others)
-    text += fmt::format("tried          {} {}: {}, {}{}{}\n", other.solver,
-                        setting_of(other.request, c), to_string(other.status),
-                        counts_of(other.counters),
+    text += fmt::format("tried          {} {}: {}, {}{}{}\n", other.id(),
+                        setting_of(other.request, c), other.status, counts_of(other.counters),
                         std::isnan(other.error) ? "" : fmt::format(", error {:.3g}", other.error),
                         off_text(other.difference, why));
   if (!why.advice.empty()) text += fmt::format("besides        {}\n", why.advice);
@@ -239,9 +238,9 @@ Json json_of(const Why& why, const Case& c, const advise::Asked& asked) {
   json["exact_steps"] = why.exact_steps;
   json["others"] = Json::array();
   for (const Other& other : why.others) {
-    Json each{{"solver", other.solver},
+    Json each{{"solver", other.id()},
               {"setting", setting_of(other.request, c)},
-              {"status", to_string(other.status)},
+              {"status", other.status},
               {"error", other.error},
               {"difference", other.difference}};
     counters(each, other.counters);
