@@ -7,6 +7,7 @@
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/core/glob.hpp"
+#include "odeum/core/interrupt.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/solvers/pieces.hpp"
 
@@ -19,6 +20,7 @@ void PlannedTasks::add(std::size_t tasks, const std::function<double(std::size_t
   std::vector<double> known(tasks);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < tasks; ++i) {
+    if (interrupted) throw Interrupted();
     known[i] = earlier_of(i);
     std::isnan(known[i]) ? open.push_back(i) : void(++earlier);
   }
@@ -34,6 +36,7 @@ void PlannedTasks::add(std::size_t tasks, const std::function<double(std::size_t
     const double part = std::fmod(0.5 + 0.6180339887498949 * static_cast<double>(k), 1);
     const std::size_t i = open[static_cast<std::size_t>(part * static_cast<double>(open.size()))];
     if (!std::isnan(known[i])) continue;
+    if (interrupted) throw Interrupted();
     const double begin = thread_seconds();
     work(i);
     known[i] = thread_seconds() - begin;
