@@ -237,20 +237,28 @@ class Search {
     extend(largest, system_.y0);
     for (std::size_t k = 0; k < best.known; ++k) {
       const State& y = best.a.states[k];
+<<<<<<< ours
       extend(apart, best.apart[k]);
       extend(largest, y);
       State constants(n, rounds_at_events() ? HUGE_VALL : 0), floors(n);
       if (moved_ && k < moved_->states.size()) constants = difference_of(y, moved_->states[k]);
+=======
+      extend(apart, best.apart[k]), extend(largest, y);
+      if (std::ranges::find(best.a.ambiguous, k) != best.a.ambiguous.end()) continue;
+      const bool compared = moved_ && k < moved_->states.size(),
+                 events_differ = compared && moved_->events_until(k) != best.a.events_until(k);
+      const State constants = compared ? difference_of(y, moved_->states[k]) : State(n, 0);
+      State floors(n);
+>>>>>>> theirs
       for (std::size_t i = 0; i < n; ++i)
         floors[i] = safety() * apart[i] +
                     10 * constants[i] / moved_by * (rounds_at_events() ? 0x1p-54L : 0x1p-64L) +
                     unsure(best.a, k, i) + unsure(best.b, k, i) +
                     least * (units_.is_relative(i) ? std::abs(y[i]) : largest[i]);
-      if (!(largest_of(floors, y, units_) <= few_digits * size_of(largest))) {
+      if (events_differ || !(largest_of(floors, y, units_) <= few_digits * size_of(largest))) {
         r.end = fmt::format("from t = {:.6Lg} on, rounding leaves too few digits", times_[k]);
         break;
       }
-      if (std::ranges::find(best.a.ambiguous, k) != best.a.ambiguous.end()) continue;
       r.known_until = static_cast<double>(times_[k]);
       r.times.push_back(r.known_until);
       r.states.push_back(y);
