@@ -48,7 +48,9 @@ class Course final : public EventCourse {
   const std::vector<Done>& done() const override { return done_; }
   bool has_stopped() const override { return info_.terminate; }
   double next() const override { return std::min(next_of_model(), next_of_inputs()); }
-  int side(std::size_t function) const override { return sides_[function]; }
+  int side(std::size_t function) const override {
+    return function < sides_.size() ? sides_[function] : 0;  // none before the start
+  }
   bool completes(double t, const double* y) override {
     const isolated::KeptArithmetic kept;
     try {

@@ -120,8 +120,9 @@ std::shared_ptr<Fmu> read(const std::string& file) {
 /// What the code of a model tells, as the head of a text; its state at the start follows.
 struct Told {
   char sign = '+';
-  bool non_autonomous, has_jacobian, has_states, has_time_events, has_events;
-  std::size_t indicators;
+  bool non_autonomous = false, has_jacobian = false, has_states = false, has_time_events = false,
+       has_events = false;
+  std::size_t indicators = 0;
 };
 
 /// What is known of a model once its code has run, as text.
