@@ -100,10 +100,10 @@ class Fmi2 final : public Model {
           using Value = decltype(value);
           if constexpr (std::is_same_v<Value, double>) {
             require(put(variable, value), "fmi2SetReal");
-          } else {
+          } else if constexpr (std::is_same_v<Value, bool> || std::is_same_v<Value, std::int32_t>) {
             const char* const name =
                 std::is_same_v<Value, bool> ? "fmi2SetBoolean" : "fmi2SetInteger";
-            const int whole = static_cast<int>(value);
+            const int whole = value;
             require(binary_.function<SetInteger>(name)(self_, reference, 1, &whole), name);
           }
         }))

@@ -49,15 +49,15 @@ struct ReadProblem {
 };
 
 struct Kind {
-  const char* name;  ///< in remarks
+  const char* name = nullptr;  ///< in remarks
   /// What follows the id of a case that has the id of another one.
-  const char* suffix;
-  bool has_frames;  ///< a run may be shown as one of a scene
+  const char* suffix = nullptr;
+  bool has_frames = false;  ///< a run may be shown as one of a scene
   /// Whether the word names a problem of this kind. Does not throw.
-  bool (*recognises)(const Named& named);
+  bool (*recognises)(const Named& named) = nullptr;
   /// Throws InputError, std::invalid_argument for a wrong value of a parameter, std::length_error
   /// for a problem that is too large, and LoadError for one whose code cannot be loaded.
-  ReadProblem (*read)(const Named& named, const Given& given);
+  ReadProblem (*read)(const Named& named, const Given& given) = nullptr;
   bool has_inputs = false;  ///< over time, from a file
 };
 
