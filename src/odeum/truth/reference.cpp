@@ -229,27 +229,19 @@ class Search {
     const auto unsure = [](const Run& run, std::size_t k, std::size_t i) -> Real {
       return k < run.sure || run.unsure.empty() ? 0 : run.unsure[i];
     };
-    // Rounding of constants is one error with one sign, which two methods share.
-    // The disagreement of two methods can be small by chance at one time, and errors of both can
-    // have the same sign; where there are kinks, each misses them alike.
+    // Rounding of constants is one error with one sign, which two methods share. Their disagreement
+    // can be small by chance, errors of both can have one sign, and each misses kinks alike.
     const std::size_t n = system_.states;
     State apart(n, 0), largest(n, 0);
     extend(largest, system_.y0);
     for (std::size_t k = 0; k < best.known; ++k) {
       const State& y = best.a.states[k];
-<<<<<<< ours
-      extend(apart, best.apart[k]);
-      extend(largest, y);
-      State constants(n, rounds_at_events() ? HUGE_VALL : 0), floors(n);
-      if (moved_ && k < moved_->states.size()) constants = difference_of(y, moved_->states[k]);
-=======
       extend(apart, best.apart[k]), extend(largest, y);
       if (std::ranges::find(best.a.ambiguous, k) != best.a.ambiguous.end()) continue;
       const bool compared = moved_ && k < moved_->states.size(),
                  events_differ = compared && moved_->events_until(k) != best.a.events_until(k);
-      const State constants = compared ? difference_of(y, moved_->states[k]) : State(n, 0);
-      State floors(n);
->>>>>>> theirs
+      State constants(n, rounds_at_events() ? HUGE_VALL : 0), floors(n);
+      if (compared) constants = difference_of(y, moved_->states[k]);
       for (std::size_t i = 0; i < n; ++i)
         floors[i] = safety() * apart[i] +
                     10 * constants[i] / moved_by * (rounds_at_events() ? 0x1p-54L : 0x1p-64L) +
