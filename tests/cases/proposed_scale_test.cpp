@@ -182,6 +182,19 @@ TEST(ProposedScale, ForgetsADipFromWhichASourceLifts) {
   EXPECT_TRUE(c.units.relative_from.empty());
 }
 
+// A source lifts x at each dawn, by a switch: what is left of an error at night is nothing. Its
+// rises were counted with the times of the switches, and x was taken for one that remembers.
+TEST(ProposedScale, OfASourceThatSwitchesIsNotRelative) {
+  const Case c = case_before_truth(
+      cases::text_statements("dawn.yaml",
+                             "states: {x: 0, s: 1}\nequations: {x: \"if(mod(t, 0.1) < 0.05, 1, "
+                             "1e-12*exp(-t))*s - 1e3*x\", s: -s/1e3}\ntime: {end: 1}\n",
+                             "dawn")
+          .front());
+  for (const double from : c.units.relative_from) EXPECT_EQ(from, 0);
+  EXPECT_EQ(c.units.scale, (Scale{1e-3, 1}));
+}
+
 // A laser diode in SI units, which is switched on: the first step was below the rounding of t.
 TEST(ProposedScale, HoldsFromASlopeThatIsSteepInItsUnits) {
   const Case c = of_text(

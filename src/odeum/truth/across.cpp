@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "odeum/truth/along.hpp"
 #include "odeum/truth/events_along.hpp"
 #include "odeum/truth/system.hpp"
 
@@ -135,6 +136,12 @@ bool has_mode(const System& system, const std::shared_ptr<System>& mode, bool ch
   return false;
 }
 
+/// Nobody asked for the state at a switch.
+void drop_last_state(Run& part, const Effort& effort) {
+  part.states.pop_back();
+  if (effort.watched) effort.watched->unmark();
+}
+
 }  // namespace
 
 Run run_across(Method method, const System& system, const std::vector<Real>& times,
@@ -175,7 +182,7 @@ Run run_across(Method method, const System& system, const std::vector<Real>& tim
     if (to_switch && arrived) {
       t = switched;
       y = part.states.back();
-      if (last == left.end() || *last > t) part.states.pop_back();
+      if (last == left.end() || *last > t) drop_last_state(part, effort);
       before = mode;
     }
     left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(part.states.size()));

@@ -108,7 +108,7 @@ void leave_out_rounding(const System& system, const std::vector<Real>& times, st
 /// Sets the dips to zero of which nothing is left later: a run that holds each such component at
 /// ten times its dip has it where it was, once it has risen.
 void leave_out_forgotten(const System& system, const std::vector<Real>& times, const Look& look,
-                         Along& along) {
+                         std::size_t mark, Along& along) {
   constexpr Real by = 10, risen = 100, trace = 0.1L;
   if (std::ranges::none_of(along.dips, [](double dip) { return dip > 0; })) return;
   State at_least(along.dips.begin(), along.dips.end());
@@ -116,8 +116,8 @@ void leave_out_forgotten(const System& system, const std::vector<Real>& times, c
   const Look held = look_by(look, system, times, look.tolerance, look.parts, &at_least);
   for (std::size_t i = 0; i < along.dips.size(); ++i) {
     Real most = -1;
-    for (std::size_t k = look.seen.risen_before(i); k < std::min(look.reached(), held.reached());
-         ++k)
+    for (std::size_t k = look.seen.risen_before(i, mark);
+         k < std::min(look.reached(), held.reached()); ++k)
       if (const Real y = look.states[k][i]; std::abs(y) >= risen * along.dips[i])
         most = std::max(most, std::abs(held.states[k][i] / y - 1));
     if (most >= 0 && most < trace) along.dips[i] = 0;
@@ -187,13 +187,14 @@ std::optional<Along> look_along(const System& system, const std::vector<double>&
     }
   Along along = look.seen.at(mark);
   along.slides_from = look.slides_from;
-  leave_out_forgotten(system, times, look, along);
+  along.whole = times[mark] == times.back();
+  leave_out_forgotten(system, times, look, mark, along);
   leave_out_rounding(system, times, mark, along);
   return along;
 }
 
 std::string to_text(const Along& along) {
-  std::string text = fmt::format("{}\n", along.slides_from);
+  std::string text = fmt::format("{} {}\n", along.slides_from, along.whole ? 1 : 0);
   for (std::size_t i = 0; i < along.largest.size(); ++i)
     fmt::format_to(std::back_inserter(text), "{} {} {}\n", along.largest[i], along.lowest[i],
                    along.dips[i]);
@@ -203,7 +204,8 @@ std::string to_text(const Along& along) {
 std::optional<Along> along_from(const std::string& text, std::size_t states) {
   std::istringstream in(text);
   Along along;
-  if (std::string from; in >> from) along.slides_from = std::strtod(from.c_str(), nullptr);
+  if (std::string from; in >> from >> along.whole)
+    along.slides_from = std::strtod(from.c_str(), nullptr);
   for (std::string largest, lowest, dip; in >> largest >> lowest >> dip;) {
     along.largest.push_back(std::strtod(largest.c_str(), nullptr));
     along.lowest.push_back(std::strtod(lowest.c_str(), nullptr));

@@ -21,6 +21,7 @@ struct Along {
   /// From where on it stays where a condition changes, so that nothing is known beyond; infinite:
   /// it does not.
   double slides_from = std::numeric_limits<double>::infinity();
+  bool whole = false;  ///< it was seen up to the last stop
 };
 
 /// Sees the states of a run at the ends of its steps.
@@ -30,10 +31,14 @@ class Watched {
   void take(const State& y);
   /// Marks a time that was asked for.
   void mark() { marks_.push_back(all_); }
+  /// Takes the last mark back.
+  void unmark() { marks_.pop_back(); }
   /// The sizes up to a mark.
   Along at(std::size_t mark) const;
-  /// The first mark after a component with a dip has risen.
-  std::size_t risen_before(std::size_t component) const { return all_[component].risen_before; }
+  /// The first mark after a component with a dip has risen, as it was seen at a mark.
+  std::size_t risen_before(std::size_t component, std::size_t mark) const {
+    return (mark < marks_.size() ? marks_[mark] : all_)[component].risen_before;
+  }
 
  private:
   struct Seen {
