@@ -43,10 +43,22 @@ std::string find_compiler() {
   return "";
 }
 
+/// Tables are read at every level alike, and left out here.
+std::size_t size_of_code(const std::string& text) {
+  std::size_t size = text.size();
+  for (std::size_t at = text.find("static const "); at != std::string::npos;) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    size -= end - at;
+    at = text.find("static const ", end);
+  }
+  return size;
+}
+
 /// The levels of optimisation that are tried, each where the one before takes too long.
 std::vector<std::string> levels_for(const std::string& text) {
-  if (text.size() > huge_text) return {"-O0"};
-  if (text.size() > large_text) return {"-O1", "-O0"};
+  const std::size_t size = size_of_code(text);
+  if (size > huge_text) return {"-O0"};
+  if (size > large_text) return {"-O1", "-O0"};
   return {"-O2", "-O1", "-O0"};
 }
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+#include <utility>
 
 #include "odeum/formula/printer.hpp"
 #include "odeum/formula/repeated.hpp"
@@ -10,6 +14,49 @@ namespace {
 constexpr std::size_t most_in_part = 256;
 constexpr std::size_t fewest_in_loop = 16;     // fewer are as fast one by one
 constexpr std::size_t most_shared = 1U << 16;  // they stand on the stack
+constexpr std::size_t most_straight = 5'000;  // nodes; more take a compiler tens of seconds
+
+/// Roots as sums of terms, each times a number: rates of many species are sums of few kinds of
+/// terms, each of which several species have.
+struct Sums {
+  std::vector<Id> terms;
+  std::vector<std::uint32_t> start{0}, term;  ///< those of each root, by their number
+  std::vector<long double> weight;            ///< likewise
+
+  /// Nothing where the sums share parts, so that they have far more terms than nodes.
+  static std::optional<Sums> of(const Graph& graph, const std::vector<Id>& roots) {
+    Sums sums;
+    std::unordered_map<Id, std::uint32_t> number;
+    const std::size_t most = 8 * graph.size();
+    std::vector<std::pair<Id, long double>> open;
+    for (const Id root : roots) {
+      open.assign(1, {root, 1});
+      while (!open.empty()) {
+        const auto [id, weight] = open.back();
+        open.pop_back();
+        const Node& node = graph[id];
+        if (node.op == Op::add || node.op == Op::subtract) {
+          open.emplace_back(node.of[1], node.op == Op::add ? weight : -weight);
+          open.emplace_back(node.of[0], weight);
+        } else if (node.op == Op::negate) {
+          open.emplace_back(node.of[0], -weight);
+        } else if (node.op == Op::multiply && graph.is_number(node.of[0])) {
+          open.emplace_back(node.of[1], weight * graph[node.of[0]].value);
+        } else {
+          const auto [at, is_new] =
+              number.try_emplace(id, static_cast<std::uint32_t>(sums.terms.size()));
+          if (is_new) sums.terms.push_back(id);
+          sums.term.push_back(at->second);
+          sums.weight.push_back(weight);
+        }
+        if (sums.term.size() + open.size() > most) return std::nullopt;
+      }
+      sums.start.push_back(static_cast<std::uint32_t>(sums.term.size()));
+    }
+    if (sums.terms.size() > most_shared) return std::nullopt;
+    return sums;
+  }
+};
 
 class ValuesPrinter {
  public:
@@ -51,7 +98,8 @@ class ValuesPrinter {
   void print_all(const std::vector<Id>& roots, const std::vector<std::uint32_t>& places,
                  const std::vector<Id>& shared, const RepeatedRoots& found,
                  const RepeatedRoots& of_shared) {
-    const std::vector<std::uint32_t>& others = found.others;
+    const std::optional<Sums> sums = sums_of(roots, found.others);
+    const std::vector<std::uint32_t> others = sums ? std::vector<std::uint32_t>() : found.others;
     const std::size_t parts = (others.size() + most_in_part - 1) / most_in_part;
     const bool is_plain = parts <= 1 && found.groups.empty();
     for (std::size_t part = 0; part < parts; ++part) {
@@ -80,7 +128,48 @@ class ValuesPrinter {
     for (const Repeated& group : found.groups) print_loop(group, function_.target, places);
     for (std::size_t part = 0; part < parts; ++part)
       out_.line("  {}_{}({});", function_.name, part, function_.passed);
+    if (sums) print_sums(*sums, found.others, places);
     out_.line("}}");
+  }
+
+  /// The sums that the roots outside of loops are, where a compiler takes long for as many nodes;
+  /// prints the function that fills their terms.
+  std::optional<Sums> sums_of(const std::vector<Id>& roots,
+                              const std::vector<std::uint32_t>& others) {
+    std::vector<Id> some;
+    for (const std::uint32_t k : others) some.push_back(roots[k]);
+    if (graph_.needed(some).size() < most_straight) return std::nullopt;
+    std::optional<Sums> sums = Sums::of(graph_, some);
+    if (!sums || sums->terms.size() == some.size()) return std::nullopt;
+    Function terms = function_;
+    terms.name += "_terms";
+    terms.cleared = 0;
+    ValuesPrinter(out_, terms, type_).print(sums->terms, in_order(sums->terms.size()));
+    return sums;
+  }
+  void print_sums(const Sums& sums, const std::vector<std::uint32_t>& roots,
+                  const std::vector<std::uint32_t>& places) {
+    std::vector<std::uint32_t> at;
+    for (const std::uint32_t root : roots) at.push_back(places[root]);
+    const char* const number = type_.lanes ? in_double.name : type_.name;
+    out_.line("  {{");
+    out_.line("    static const unsigned start[] = {{{}}};", fmt::join(sums.start, ","));
+    out_.line("    static const unsigned term[] = {{{}}};", fmt::join(sums.term, ","));
+    std::string weights;
+    for (const long double weight : sums.weight)
+      weights += std::abs(weight) < 1e6L && weight == std::floor(weight)
+                     ? fmt::format("{},", static_cast<int>(weight))
+                     : constant_text(weight, type_.lanes ? in_double : type_) + ",";
+    out_.line("    static const {} weight[] = {{{}}};", number, weights);
+    out_.line("    static const unsigned to[] = {{{}}};", fmt::join(at, ","));
+    out_.line("    {} terms[{}];", type_.name, sums.terms.size());
+    out_.line("    {}_terms({}terms);", function_.name,
+              function_.passed.substr(0, function_.passed.rfind(function_.target)));
+    out_.line("    for (unsigned i = 0; i < {}; ++i) {{", roots.size());
+    out_.line("      {} s = {};", type_.name, type_.lanes ? "all(0)" : "0");
+    out_.line("      for (unsigned k = start[i]; k < start[i + 1]; ++k) s += {} * terms[term[k]];",
+              type_.lanes ? "all(weight[k])" : "weight[k]");
+    out_.line("      {}[to[i]] = s;\n    }}\n  }}", function_.target);
   }
 
   /// The elements of an array that a loop over i takes: by a formula where they are equally far

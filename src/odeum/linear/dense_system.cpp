@@ -53,7 +53,7 @@ class Entries {
   /// none. Null where that does not pay, a multiplier is large, or the matrix is singular.
   template <class Value>
   ListedLu<Scalar>* factorise(const double* m, Value&& value) {
-    if (n_ > Elimination::most_unknowns) return nullptr;
+    if (n_ > Elimination::few_unknowns) return nullptr;
     if (!how_) find(m);
     if (!lu_) return nullptr;
     if (!fill(m, value)) {

@@ -48,7 +48,7 @@ struct Filled {
 /// Fills all but the lists that follow from these; returns the place of each entry, both by number.
 template <std::size_t N>
 std::vector<int> order_and_fill(const Sparsity& pattern, Elimination& e) {
-  auto& [order, start, diagonal, column, places, targets] = e;
+  auto& [order, start, diagonal, column, places, targets, without_gaps, multiplications] = e;
   const std::size_t n = pattern.unknowns();
   Filled<N> filled(pattern);
   std::bitset<N> left;
@@ -77,13 +77,13 @@ Elimination::Elimination(const Sparsity& pattern, double most_multiplications) {
   if (n > largest) throw std::length_error("a list of eliminations: too many unknowns");
   const std::vector<int> at = n <= 128    ? order_and_fill<128>(pattern, *this)
                               : n <= 1024 ? order_and_fill<1024>(pattern, *this)
+                              : n <= 2048 ? order_and_fill<2048>(pattern, *this)
                                           : order_and_fill<largest>(pattern, *this);
   std::vector<std::size_t> number(n);
   for (std::size_t k = 0; k < n; ++k) number[static_cast<std::size_t>(order[k])] = k;
   for (std::size_t i = 0; i < n; ++i)
     for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
       places.push_back(at[number[i] * n + number[static_cast<std::size_t>(pattern.column[k])]]);
-  double multiplications = 0;
   for (std::size_t i = 0; i < n; ++i)
     for (int p = start[i]; p < diagonal[i]; ++p) {
       const auto k = static_cast<std::size_t>(column[p]);
@@ -91,6 +91,11 @@ Elimination::Elimination(const Sparsity& pattern, double most_multiplications) {
     }
   if (multiplications > most_multiplications)
     throw std::length_error("a list of eliminations: too many multiplications");
+  for (std::size_t i = 0; i < n; ++i) {
+    const int first = diagonal[i] + 1, last = start[i + 1] - 1;
+    without_gaps.push_back(first > last || column[last] - column[first] == last - first);
+  }
+  if (n > few_unknowns) return;
   for (std::size_t i = 0; i < n; ++i)
     for (int p = start[i]; p < diagonal[i]; ++p) {
       const auto k = static_cast<std::size_t>(column[p]);

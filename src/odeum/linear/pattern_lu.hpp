@@ -17,7 +17,8 @@ namespace odeum::linear {
 /// Elimination with pivots on the diagonal, in the order of least fill (Markowitz, Management
 /// Science 3 (1957) 255-269), as lists of places: no search, no zeros.
 struct Elimination {
-  static constexpr std::size_t most_unknowns = 128;  ///< of which runs in double make one
+  static constexpr std::size_t few_unknowns = 128;    ///< of which it has a list of targets
+  static constexpr std::size_t most_unknowns = 2048;  ///< of which runs in double make one
   static constexpr std::size_t largest = 4096;
   /// Throws std::length_error for more unknowns than `largest`, or more multiplications.
   explicit Elimination(const Sparsity& pattern, double most_multiplications = 1e8);
@@ -27,6 +28,8 @@ struct Elimination {
   std::vector<int> column;           ///< rising in a row
   std::vector<int> places;           ///< of the pattern's entries
   std::vector<int> targets;          ///< of the multiplications, as they follow each other
+  std::vector<bool> without_gaps;    ///< the columns of a row after its pivot
+  double multiplications = 0;
 };
 
 /// A thread that asks for the pattern it asked for last gets the same elimination: runs of a
@@ -48,21 +51,7 @@ class ListedLu {
 
   /// False where a multiplier is large, a pivot is zero, or an entry is not finite.
   bool eliminate() {
-    const Elimination& e = how_;
-    const int* target = e.targets.data();
-    decltype(std::norm(Scalar())) largest = 0;
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      for (int p = e.start[i]; p < e.diagonal[i]; ++p) {
-        const auto k = static_cast<std::size_t>(e.column[p]);
-        const Scalar multiplier = lu_[p] = times(lu_[p], inverse_[k]);
-        if (!(std::norm(multiplier) <= largest)) largest = std::norm(multiplier);  // NaN stays
-        for (int q = e.diagonal[k] + 1; q < e.start[k + 1]; ++q)
-          lu_[*target++] -= times(multiplier, lu_[q]);
-      }
-      inverse_[i] = Scalar(1) / lu_[e.diagonal[i]];
-      if (!std::isfinite(std::norm(inverse_[i]))) return false;
-    }
-    return largest < largest_multiplier * largest_multiplier;
+    return x_.size() <= Elimination::few_unknowns ? eliminate_by_targets() : eliminate_by_rows();
   }
 
   /// Overwrites x, of all unknowns.
@@ -91,6 +80,57 @@ class ListedLu {
 
  private:
   static constexpr double largest_multiplier = 100;  // at most two digits lost by an elimination
+  using Norm = decltype(std::norm(Scalar()));
+
+  /// Takes the multiplier of a row; a NaN stays.
+  static void take(const Scalar& multiplier, Norm& largest) {
+    if (!(std::norm(multiplier) <= largest)) largest = std::norm(multiplier);
+  }
+
+  bool eliminate_by_targets() {
+    const Elimination& e = how_;
+    const int* target = e.targets.data();
+    Norm largest = 0;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      for (int p = e.start[i]; p < e.diagonal[i]; ++p) {
+        const auto k = static_cast<std::size_t>(e.column[p]);
+        const Scalar multiplier = lu_[p] = times(lu_[p], inverse_[k]);
+        take(multiplier, largest);
+        for (int q = e.diagonal[k] + 1; q < e.start[k + 1]; ++q)
+          lu_[*target++] -= times(multiplier, lu_[q]);
+      }
+      inverse_[i] = Scalar(1) / lu_[e.diagonal[i]];
+      if (!std::isfinite(std::norm(inverse_[i]))) return false;
+    }
+    return largest < largest_multiplier * largest_multiplier;
+  }
+
+  /// Each row in a vector of all columns: a list of as many targets would not stay in the cache.
+  bool eliminate_by_rows() {
+    const Elimination& e = how_;
+    Norm largest = 0;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      for (int p = e.start[i]; p < e.start[i + 1]; ++p) x_[e.column[p]] = lu_[p];
+      for (int p = e.start[i]; p < e.diagonal[i]; ++p) {
+        const auto k = static_cast<std::size_t>(e.column[p]);
+        const Scalar multiplier = x_[k] = times(x_[k], inverse_[k]);
+        take(multiplier, largest);
+        const int first = e.diagonal[k] + 1, count = e.start[k + 1] - first;
+        const Scalar* const row = lu_.data() + first;
+        const int* const columns = e.column.data() + first;
+        if (e.without_gaps[k] && count > 0) {
+          Scalar* const to = x_.data() + columns[0];
+          for (int q = 0; q < count; ++q) to[q] -= times(multiplier, row[q]);
+        } else {
+          for (int q = 0; q < count; ++q) x_[columns[q]] -= times(multiplier, row[q]);
+        }
+      }
+      for (int p = e.start[i]; p < e.start[i + 1]; ++p) lu_[p] = x_[e.column[p]];
+      inverse_[i] = Scalar(1) / lu_[e.diagonal[i]];
+      if (!std::isfinite(std::norm(inverse_[i]))) return false;
+    }
+    return largest < largest_multiplier * largest_multiplier;
+  }
 
   /// The product without std::complex's case of numbers that are not finite.
   static Scalar times(Scalar a, Scalar b) {
@@ -105,7 +145,7 @@ class ListedLu {
 };
 
 /// Factors of I - g J, J of the pattern. Where a multiplier is large, by a dense matrix with
-/// exchanges of rows, of most_unknowns at most. The pattern must outlive them.
+/// exchanges of rows, of few_unknowns at most. The pattern must outlive them.
 template <class Scalar>
 class PatternLu {
  public:
@@ -121,7 +161,7 @@ class PatternLu {
     for (std::size_t k = 0; k < values.size(); ++k) lu[how_->places[k]] -= g * values[k];
     eliminated_ = listed_.eliminate();
     return eliminated_ ||
-           (pattern_.unknowns() <= Elimination::most_unknowns && factorise_dense(values, g));
+           (pattern_.unknowns() <= Elimination::few_unknowns && factorise_dense(values, g));
   }
 
   /// Overwrites x, of all unknowns.

@@ -193,19 +193,26 @@ class SparseFactors final : public Factors {
   std::vector<std::size_t> places_, diagonal_;
 };
 
-/// Factors of few unknowns, by a list of eliminations.
+/// Factors by a list of eliminations, and with exchanges of rows where these are needed.
 template <class Scalar>
 class FewFactors final : public Factors {
  public:
   FewFactors(const Sparsity& pattern, const std::shared_ptr<const Elimination>& how)
-      : lu_(pattern, how), x_(is_complex ? pattern.unknowns() : 0) {}
+      : pattern_(pattern), lu_(pattern, how), x_(is_complex ? pattern.unknowns() : 0) {}
   bool factorise(const std::vector<double>& values, std::complex<double> g) override {
+    Scalar shift;
     if constexpr (is_complex)
-      return lu_.factorise(values, g);
+      shift = g;
     else
-      return lu_.factorise(values, g.real());
+      shift = g.real();
+    exchanged_ = !lu_.factorise(values, shift);
+    if (!exchanged_) return true;
+    if (pattern_.unknowns() <= Elimination::few_unknowns) return false;
+    if (!with_exchanges_) with_exchanges_.emplace(pattern_);
+    return with_exchanges_->factorise(values, g);
   }
   void solve(double* re, double* im) override {
+    if (exchanged_) return with_exchanges_->solve(re, im);
     if constexpr (is_complex) {
       for (std::size_t k = 0; k < x_.size(); ++k) x_[k] = {re[k], im[k]};
       lu_.solve(x_.data());
@@ -217,8 +224,11 @@ class FewFactors final : public Factors {
 
  private:
   static constexpr bool is_complex = !std::is_arithmetic_v<Scalar>;
+  const Sparsity& pattern_;
   PatternLu<Scalar> lu_;
   std::vector<Scalar> x_;
+  bool exchanged_ = false;
+  std::optional<SparseFactors<Scalar>> with_exchanges_;
 };
 
 }  // namespace odeum::linear

@@ -53,12 +53,21 @@ struct Structure {
 
   explicit Structure(const Sparsity& of)
       : pattern(of), band(narrow_band(of)), is_band(work_of(band) <= most_band_work) {
-    if (of.unknowns() > linear::Elimination::most_unknowns) return;
-    few = linear::elimination_of(of);
+    const bool is_small = of.unknowns() <= linear::Elimination::few_unknowns;
+    if (of.unknowns() > linear::Elimination::most_unknowns || (!is_small && is_band)) return;
+    try {
+      few = linear::elimination_of(of);
+    } catch (const std::length_error&) {  // much fill
+      return;
+    }
     // A multiplication at a place that is looked up takes as long as some of a band.
     constexpr double some = 2.5;
-    const auto by_places = static_cast<double>(few->targets.size() + few->column.size());
-    if (some * by_places > work_of(band) * static_cast<double>(of.unknowns())) few.reset();
+    const double by_places = few->multiplications + static_cast<double>(few->column.size());
+    // Beyond these many Eigen's blocks of columns are faster.
+    constexpr double many = 3e7;
+    if (is_small ? some * by_places > work_of(band) * static_cast<double>(of.unknowns())
+                 : few->multiplications > many)
+      few.reset();
   }
 };
 
