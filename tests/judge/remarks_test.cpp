@@ -102,11 +102,37 @@ TEST(Remarks, SayWhatAnErrorAtTheEndHides) {
   run.outcome.states[0] = -1.8e-6;
   said = judge::remarks(c, run.request, run.outcome);
   ASSERT_GE(said.size(), 2U);
-  EXPECT_EQ(said[0],
-            "S (-1.8e-06) falls below zero where the solution is not; --rtol 1e-06 --atol S=1e-11 "
-            "asks for more digits, and --solver cvode/bdf --option constraints=1 takes no step "
-            "below zero");
+  EXPECT_EQ(
+      said[0],
+      "S (-1.8e-06 at t = 1) falls below zero where the solution is not; --rtol 1e-06 --atol "
+      "S=1e-11 asks for more digits, and --solver cvode/bdf --option constraints=1 takes no step "
+      "below zero");
   EXPECT_NE(said[1].find("the equations keep "), std::string::npos) << said[1];
+}
+
+// The look along the solution tells its signs before, and without, a truth.
+TEST(Remarks, KnowWhatIsBelowZeroWithoutATruth) {
+  const Case c = case_before_truth(cases::text_statements("enzyme.yaml", enzyme, "enzyme").front());
+  ASSERT_FALSE(c.truth.lowest.empty());
+  Request request;
+  request.mode = Mode::adaptive;
+  set_tolerance(request, c, 1e-6);
+  request.stops = {0.5, 1};
+  Outcome outcome;
+  outcome.states = {1e-4, -1e-9, 1e-9, 1e-6, 1e-4, 1e-9, -1e-8, 1e-6};
+  const auto below = judge::below_zero(c, request, outcome);
+  ASSERT_EQ(below.size(), 2U);
+  EXPECT_EQ(below[0].component, 2U);  // a fiftieth of its size; the other is a thousandth
+  EXPECT_EQ(below[0].value, -1e-8);
+  EXPECT_EQ(below[0].time, 1);
+  EXPECT_EQ(below[1].component, 1U);
+  EXPECT_EQ(below[1].time, 0.5);
+  const Case signs = case_before_truth(
+      cases::text_statements(
+          "signs.yaml", "states: {x: 1, v: 0}\nequations: {x: v, v: -x}\ntime: {end: 4}\n", "signs")
+          .front());
+  outcome.states = {-0.1, -0.1, -0.6, 0.7};
+  EXPECT_TRUE(judge::below_zero(signs, request, outcome).empty());
 }
 
 }  // namespace

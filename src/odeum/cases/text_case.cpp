@@ -188,6 +188,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     if (waits_for_truth_ || (files.empty() && !file_.folder.empty())) look_along();
     if (problem_.exact.empty()) {
       case_.truth = waits_for_truth_ ? unknown_truth("not computed") : unknown_truth();
+      if (along_ && along_->whole) take_sizes(*along_, case_.truth);
     } else {
       truth_ = closed_form(problem_, case_.units);
       take_truth(case_);

@@ -162,6 +162,11 @@ std::shared_ptr<const truth::Along> along_of(const std::shared_ptr<const TextOde
   return along ? std::make_shared<const truth::Along>(*std::move(along)) : nullptr;
 }
 
+void take_sizes(const truth::Along& along, Truth& truth) {
+  truth.largest = along.largest;
+  truth.lowest = along.lowest;
+}
+
 TextTruth truth_of(const std::shared_ptr<const TextOde>& ode, const ErrorUnits& units,
                    const std::shared_ptr<const truth::Along>& along) {
   const formula::Problem& problem = ode->problem();
@@ -174,10 +179,7 @@ TextTruth truth_of(const std::shared_ptr<const TextOde>& ode, const ErrorUnits& 
       truth_from(*truth::kept_or_computed(content_of(problem, ode->analysis()), ode->size(),
                                           problem.stops, units, compute),
                  problem.stops, units, problem.file);
-  if (along) {
-    result.truth.largest = along->largest;
-    result.truth.lowest = along->lowest;
-  }
+  if (along) take_sizes(*along, result.truth);
   result.words += fmt::format(
       "; steps are looked into down to a width of {:.1g}",
       static_cast<double>((problem.stops.back() - problem.t0) * truth::shortest_inspected));

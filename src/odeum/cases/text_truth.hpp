@@ -34,6 +34,8 @@ TextTruth closed_form(const formula::Problem& problem, const ErrorUnits& units =
 /// What its components are along its solution, see truth::look_along; kept in the cache folder.
 /// Null where that is not known.
 std::shared_ptr<const truth::Along> along_of(const std::shared_ptr<const formula::TextOde>& ode);
+/// Gives a truth the sizes along the solution.
+void take_sizes(const truth::Along& along, Truth& truth);
 /// A computed one, at the problem's stops as far as it is known. `along`: null where that is not
 /// known.
 TextTruth truth_of(const std::shared_ptr<const formula::TextOde>& ode, const ErrorUnits& units = {},

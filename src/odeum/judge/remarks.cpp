@@ -123,16 +123,17 @@ std::string words_of_constraints(const Case& c) {
   return fmt::format(", and --solver {} --option constraints=1 takes no step below zero", solver);
 }
 
-/// `lowest` and `largest`: of each component, by the run and by the solution, of which no component
-/// is below zero where `all_above`.
+/// `largest`: the size of each component; `all_above`: the solution has none below zero.
 std::string text_of_negative(const Case& c, const Request& request,
-                             const std::vector<std::size_t>& some,
-                             const std::vector<double>& lowest, std::vector<double> largest,
+                             const std::vector<BelowZero>& all, std::vector<double> largest,
                              bool all_above) {
   const std::vector<std::string> names = component_names(c);
   std::vector<std::string> named;
-  for (const std::size_t i : some) {
-    named.push_back(fmt::format("{} ({:.2g})", names[i], lowest[i]));
+  std::vector<std::size_t> some;
+  for (const BelowZero& each : all) {
+    const std::size_t i = each.component;
+    named.push_back(fmt::format("{} ({:.2g} at t = {:.4g})", names[i], each.value, each.time));
+    some.push_back(i);
     largest[i] = 0.01 * std::min(request.tolerance.absolute(i), largest[i]);
   }
   return fmt::format(
@@ -140,6 +141,76 @@ std::string text_of_negative(const Case& c, const Request& request,
       named.size() == 1 ? "falls" : "fall",
       request.mode == Mode::fixed ? "a shorter step" : own_tolerances(c, request, some, largest),
       request.mode == Mode::adaptive && all_above ? words_of_constraints(c) : "");
+}
+
+std::size_t stops_reached(const Case& c, const Request& request, const Outcome& outcome) {
+  return c.y0.empty() ? 0 : std::min(outcome.states.size() / c.y0.size(), request.stops.size());
+}
+
+/// What is known of the solution up to the last of the first `count` stops of a run.
+struct Extent {
+  std::vector<double> largest, lowest;  ///< magnitudes and values of each component
+  std::vector<double> last;             ///< the state at that stop; empty: not known
+  bool known = false;                   ///< at one of the stops
+  double until = 0;                     ///< the last stop at which anything is known
+
+  Extent(const Case& c, const Request& request, std::size_t count)
+      : largest(c.truth.largest), lowest(c.truth.lowest) {
+    const std::size_t n = c.y0.size();
+    lowest.resize(n);
+    // Sizes between the stops count, as far as they are known.
+    if (largest.empty())
+      for (const double start : c.y0) largest.push_back(std::abs(start));
+    std::vector<double> exact(n);
+    const auto take = [&](double stop) {
+      if (!c.truth.at || !c.truth.at(stop, exact.data())) return false;
+      for (std::size_t i = 0; i < n; ++i) {
+        largest[i] = std::max(largest[i], std::abs(exact[i]));
+        lowest[i] = std::min(lowest[i], exact[i]);
+      }
+      return true;
+    };
+    until = request.stops[count - 1];
+    for (std::size_t k = 0; k < count; ++k)
+      if (take(request.stops[k])) known = true, until = request.stops[k];
+    for (const double stop : c.stops)  // and between those of the run
+      if (stop <= until) take(stop);
+    for (int k = 1; c.truth.closed_form && k < samples; ++k)
+      take(c.t0 + (until - c.t0) * k / samples);
+    if (until == request.stops[count - 1] && take(until)) last = exact;
+  }
+
+  /// Rounding and the truth's own error are not a fault.
+  double meant(const Case& c, std::size_t i) const {
+    return 1e-12 * largest[i] + 10 * c.floor_of(i);
+  }
+  bool is_above(const Case& c, std::size_t i) const {
+    return c.y0[i] >= 0 && lowest[i] >= -meant(c, i);
+  }
+  /// A component that is zero, or the rounding of others.
+  static bool is_nothing(const Case& c, std::size_t i) {
+    return !c.truth.largest.empty() && c.truth.largest[i] == 0;
+  }
+};
+
+std::vector<BelowZero> below(const Extent& solution, const Case& c, const Request& request,
+                             const Outcome& outcome) {
+  std::vector<BelowZero> all;
+  if (!solution.known && c.truth.lowest.empty()) return all;
+  const std::size_t n = c.y0.size(), count = stops_reached(c, request, outcome);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (Extent::is_nothing(c, i) || !solution.is_above(c, i)) continue;
+    BelowZero least{.component = i};
+    for (std::size_t k = 0; k < count && request.stops[k] <= solution.until; ++k)
+      if (const double y = outcome.states[k * n + i]; y < least.value)
+        least.value = y, least.time = request.stops[k];
+    if (least.value < -solution.meant(c, i)) all.push_back(least);
+  }
+  std::ranges::stable_sort(all, {}, [&](const BelowZero& each) {
+    const double size = solution.largest[each.component];
+    return each.value / (size > 0 ? size : 1);
+  });
+  return all;
 }
 
 }  // namespace
@@ -172,58 +243,35 @@ std::vector<std::vector<double>> linear_invariants(const Case& c) {
   return all;
 }
 
+std::vector<BelowZero> below_zero(const Case& c, const Request& request, const Outcome& outcome) {
+  const std::size_t count = stops_reached(c, request, outcome);
+  if (count == 0) return {};
+  return below(Extent(c, request, count), c, request, outcome);
+}
+
 std::vector<std::string> remarks(const Case& c, const Request& request, const Outcome& outcome) {
   std::vector<std::string> all;
-  const std::size_t n = c.y0.size(), reached = n == 0 ? 0 : outcome.states.size() / n;
-  if (reached == 0) return all;
-  const auto stops = std::min(reached, request.stops.size());
-  std::vector<std::size_t> uncontrolled, below_zero;
+  const std::size_t n = c.y0.size(), count = stops_reached(c, request, outcome);
+  if (count == 0) return all;
+  const Extent solution(c, request, count);
+  const std::vector<double>& largest = solution.largest;
+  std::vector<std::size_t> uncontrolled;
   bool all_above = true;
-  std::vector<double> largest(n), exact(n), lowest(n), lowest_exact(n);
-  for (std::size_t i = 0; i < n; ++i) largest[i] = std::abs(c.y0[i]);
-  // Sizes between the stops count, as far as they are known.
-  if (!c.truth.largest.empty()) largest = c.truth.largest;
-  if (!c.truth.lowest.empty()) lowest_exact = c.truth.lowest;
-  const auto take_truth_at = [&](double stop) {
-    if (!c.truth.at || !c.truth.at(stop, exact.data())) return false;
-    for (std::size_t i = 0; i < n; ++i) {
-      largest[i] = std::max(largest[i], std::abs(exact[i]));
-      lowest_exact[i] = std::min(lowest_exact[i], exact[i]);
-    }
-    return true;
-  };
-  bool known = false;
-  for (std::size_t k = 0; k < stops; ++k) {
-    if (!take_truth_at(request.stops[k])) continue;
-    known = true;
-    const double* y = outcome.states.data() + k * n;
-    for (std::size_t i = 0; i < n; ++i) lowest[i] = std::min(lowest[i], y[i]);
-  }
-  if (!known) return all;
-  const double until = request.stops[stops - 1];
-  for (const double stop : c.stops)  // and between those of the run
-    if (stop <= until) take_truth_at(stop);
-  if (c.truth.closed_form)
-    for (int k = 1; k < samples; ++k) take_truth_at(c.t0 + (until - c.t0) * k / samples);
   for (std::size_t i = 0; i < n; ++i) {
-    // One that is zero, or the rounding of others.
-    if (!c.truth.largest.empty() && c.truth.largest[i] == 0) continue;
+    if (Extent::is_nothing(c, i)) continue;
     // A component that is zero throughout has the value zero.
-    if (request.mode == Mode::adaptive && largest[i] > 0 &&
+    if (solution.known && request.mode == Mode::adaptive && largest[i] > 0 &&
         largest[i] < request.tolerance.absolute(i))
       uncontrolled.push_back(i);
-    // Rounding and the truth's own error are not a fault.
-    const double meant = 1e-12 * largest[i] + 10 * c.floor_of(i);
-    const bool is_above = c.y0[i] >= 0 && lowest_exact[i] >= -meant;
-    all_above = all_above && is_above;
-    if (is_above && lowest[i] < -meant) below_zero.push_back(i);
+    all_above = all_above && solution.is_above(c, i);
   }
   if (!uncontrolled.empty()) all.push_back(text_of_uncontrolled(c, request, uncontrolled, largest));
-  if (!below_zero.empty())
-    all.push_back(text_of_negative(c, request, below_zero, lowest, largest, all_above));
-  const double* end = outcome.states.data() + (stops - 1) * n;
-  if (!take_truth_at(request.stops[stops - 1])) return all;
-  std::ranges::move(broken_sums(c, request, end, exact, largest), std::back_inserter(all));
+  if (const auto negative = below(solution, c, request, outcome); !negative.empty())
+    all.push_back(text_of_negative(c, request, negative, largest, all_above));
+  if (!solution.last.empty())
+    std::ranges::move(
+        broken_sums(c, request, outcome.states.data() + (count - 1) * n, solution.last, largest),
+        std::back_inserter(all));
   return all;
 }
 

@@ -12,6 +12,16 @@ namespace odeum::judge {
 /// none of more than 64 unknowns.
 std::vector<std::vector<double>> linear_invariants(const Case& c);
 
+/// A value of a state that the solution has nowhere below zero.
+struct BelowZero {
+  std::size_t component = 0;
+  double value = 0, time = 0;
+};
+/// The most negative value of each such state, at the stops that the run reached; rounding and the
+/// truth's own error aside. The most negative one beside the size of its state comes first. None
+/// where nothing is known of the solution.
+std::vector<BelowZero> below_zero(const Case& c, const Request& request, const Outcome& outcome);
+
 /// What a run that ended `ok` shows of faults that an error at the end may hide, in sentences:
 /// states that never reach their absolute tolerance along the solution, states below zero where the
 /// solution is not, and sums that the equations keep and the run does not.

@@ -96,6 +96,11 @@ RunRow row_of(const Case& c, const CaseRun& run) {
   row.reached = reached > 0 ? request.stops[reached - 1] : c.t0;
   row.truth = c.truth.source;
   row.floor = c.truth.floor;
+  if (const auto below = judge::below_zero(c, request, run.outcome); !below.empty()) {
+    row.negative_state = component_names(c)[below.front().component];
+    row.negative_value = below.front().value;
+    row.negative_time = below.front().time;
+  }
   if (!row.ok()) {
     row.judged.answer = judge::Answer::none;
     return row;

@@ -38,6 +38,10 @@ struct RunRow : measure::RunRecord {
   std::string error_component;
   double error_unit = nan, floor = nan;
   std::string truth;
+  /// The most negative value of a state that the solution has nowhere below zero, see
+  /// judge::below_zero; an empty name: there is none, or nothing is known.
+  std::string negative_state;
+  double negative_value = nan, negative_time = nan;
   bool diverged = false;             ///< the run ended ok and is not a solution of any accuracy
   std::vector<std::string> remarks;  ///< what else it shows, in sentences
   double energy_change = nan;        ///< of a scene, to the end
@@ -55,6 +59,7 @@ struct RunRow : measure::RunRecord {
                 status, detail, reached, counters.steps, counters.rejected_steps,
                 counters.rhs_evaluations, counters.jacobian_evaluations, error_time,
                 error_component, error_unit, column("error_max", error), error_rms, floor, judged,
+                negative_state, negative_value, negative_time,
                 column("remarks", ComputedColumn{joined(remarks)}), truth, energy_change, replay)
 
  private:
