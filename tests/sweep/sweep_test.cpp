@@ -200,5 +200,33 @@ TEST(Sweep, QuantitiesAreOfTheSolution) {
     EXPECT_THROW(quantities_of(wrong, c), std::invalid_argument) << wrong;
 }
 
+// An output was no quantity, and had no error of its own.
+TEST(Sweep, QuantitiesAreOutputsToo) {
+  const Case c = case_of_text(
+      "parameters: {k: 1}\nstates: {a: 1, b: 0}\nreactions: [{a -> b: k}]\n"
+      "outputs: {flux: k*a, both: a + 2*b + t}\n"
+      "exact: {a: exp(-k*t), b: 1 - exp(-k*t)}\ntime: {end: 2}\n");
+  Plan plan = plan_of(c, Members({axis_of("k=1,3")}, 0, 1));
+  plan.quantities = quantities_of("flux(end), both(end), max(flux), error(both), error(a)", c);
+  plan.request.tolerance = 1e-9;
+  plan.checks = 0;
+  const Result result = run(plan);
+  ASSERT_EQ(result.results.size(), 10U);
+  for (const std::size_t member : {0U, 1U}) {
+    const double k = member == 0 ? 1 : 3, a = std::exp(-2 * k);
+    const double* const values = result.results.data() + 5 * member;
+    // Some hundred times the tolerance.
+    EXPECT_NEAR(values[0], k * a, 1e-7);
+    EXPECT_NEAR(values[1], 4 - a, 1e-7);
+    EXPECT_EQ(values[2], k);
+    EXPECT_NEAR(values[3], std::abs(values[1] - (4 - a)), 1e-15);
+    EXPECT_NEAR(values[4], std::abs(values[0] / k - a), 1e-15);
+  }
+  EXPECT_THROW(quantities_of("error(c)", c), std::invalid_argument);
+  const Case unknown = case_of_text(
+      "parameters: {k: 1}\nstates: {a: 1}\nequations: {a: -k*a + sin(a)/9}\ntime: {end: 2}\n");
+  EXPECT_THROW(quantities_of("error(a)", unknown), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace odeum::sweep::sweep_test

@@ -143,6 +143,31 @@ class TextExact : CaseText {
   std::optional<formula::Exact> exact_;
 };
 
+/// The outputs for any values of the parameters.
+class TextOutputs : CaseText {
+ public:
+  explicit TextOutputs(const TextSource& source) : CaseText(source), named_(with_names()) {
+    std::vector<formula::Id> roots;
+    for (const formula::Output& output : named_.outputs) roots.push_back(output.value);
+    outputs_.emplace(named_.graph, roots);
+  }
+
+  void operator()(const std::vector<double>& values, double t, const double* y, double* out) {
+    if (values != placed_) {
+      place(values, named_.parameters);
+      const auto constants = formula::definitions_of(named_.graph, problem_.parameters);
+      outputs_->define({constants.begin(), constants.end()});
+      placed_ = values;
+    }
+    (*outputs_)(t, y, out);
+  }
+
+ private:
+  Problem named_;
+  std::optional<formula::Evaluator<double>> outputs_;
+  std::vector<double> placed_;
+};
+
 }  // namespace
 
 std::optional<Family> TextFamilies::operator()(
@@ -164,6 +189,13 @@ MemberTruth TextFamilies::exact() const {
   if (!exact->known()) return {};
   return [exact](const std::vector<double>& values, double t, double* y) {
     return (*exact)(values, t, y);
+  };
+}
+
+MemberOutputs TextFamilies::outputs() const {
+  return [outputs = std::make_shared<TextOutputs>(source)](const std::vector<double>& values,
+                                                           double t, const double* y, double* out) {
+    (*outputs)(values, t, y, out);
   };
 }
 

@@ -21,6 +21,11 @@ struct FamilyInLanes {
 /// closed form does not hold for them. For one thread.
 using MemberTruth = std::function<bool(const std::vector<double>& values, double t, double* y)>;
 
+/// The values of the case's outputs for a state of the member with these values of all parameters.
+/// For one thread.
+using MemberOutputs =
+    std::function<void(const std::vector<double>& values, double t, const double* y, double* out)>;
+
 /// What Case::family is of a case of a problem file, whose code is compiled once with the
 /// parameters as variables.
 struct TextFamilies {
@@ -33,6 +38,7 @@ struct TextFamilies {
   FamilyInLanes in_lanes() const;
   /// Empty where the file has no closed form.
   MemberTruth exact() const;
+  MemberOutputs outputs() const;
 };
 
 }  // namespace odeum::cases

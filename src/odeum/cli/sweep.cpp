@@ -206,9 +206,10 @@ void add_sweep(CLI::App& app, Session& session, int& result) {
       "with --study advise: for each answer; with precision: for the timed runs of a member");
   add_step_and_tolerances(*command, options->settings);
   add_option(*command, "--until T", options->settings.until, "end time; default: the horizon");
-  add_option(*command, "--quantity LIST", options->quantities,
-             "what is kept of each member: max(x), min(x), x(end), energy; default: the state at "
-             "the end");
+  add_option(
+      *command, "--quantity LIST", options->quantities,
+      "what is kept of each member: max(x), min(x), x(end), error(x) of a state or an output x, "
+      "energy; default: the state at the end");
   add_option(*command, "--check N", options->check,
              "how many members are compared with a truth of their own, in at most 20 s; default: "
              "{}. With a closed form all are, and have a column error, unless N is 0")

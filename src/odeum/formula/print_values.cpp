@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_in_part = 256;
 constexpr std::size_t fewest_in_loop = 16;     // fewer are as fast one by one
 constexpr std::size_t most_shared = 1U << 16;  // they stand on the stack
-constexpr std::size_t most_straight = 5'000;  // nodes; more take a compiler tens of seconds
+constexpr std::size_t most_straight = 5'000;   // nodes; more take a compiler tens of seconds
 
 /// Roots as sums of terms, each times a number: rates of many species are sums of few kinds of
 /// terms, each of which several species have.

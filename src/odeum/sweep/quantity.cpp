@@ -13,14 +13,13 @@
 namespace odeum::sweep {
 namespace {
 
-Quantity quantity_of(const std::string& word, const std::vector<std::string>& names,
-                     bool has_energy) {
+Quantity quantity_of(const std::string& word, const Case& c) {
   const auto fail = [&](const std::string& what) {
     throw std::invalid_argument(
-        fmt::format("{}; got {}, expected max(X), min(X), X(end) or energy", what, word));
+        fmt::format("{}; got {}, expected max(X), min(X), X(end), error(X) or energy", what, word));
   };
   if (word == "energy") {
-    if (!has_energy) fail("the problem has no energy");
+    if (!c.energy) fail("the problem has no energy");
     return {.name = word, .kind = Quantity::Kind::energy};
   }
   const std::size_t open = word.find('(');
@@ -31,10 +30,16 @@ Quantity quantity_of(const std::string& word, const std::vector<std::string>& na
   std::string component = within;
   if (before == "max" || before == "min") {
     quantity.kind = before == "max" ? Quantity::Kind::greatest : Quantity::Kind::least;
+  } else if (before == "error") {
+    quantity.kind = Quantity::Kind::error_of;
+    if (!error_of_members(c)) fail("the truth of the members is not a closed form");
   } else {
     if (within != "end") fail("no quantity");
     component = before;
   }
+  std::vector<std::string> names = component_names(c);
+  const std::size_t states = names.size();
+  names.insert(names.end(), c.outputs.names.begin(), c.outputs.names.end());
   const auto at = std::ranges::find(names, component);
   if (at == names.end())
     fail(fmt::format("no component {}{}, the problem has {}", component, near_one(component, names),
@@ -43,23 +48,12 @@ Quantity quantity_of(const std::string& word, const std::vector<std::string>& na
                                                    std::min<std::size_t>(names.size(), 12)),
                                ", ")));
   quantity.component = static_cast<std::size_t>(at - names.begin());
+  quantity.is_output = quantity.component >= states;
+  if (quantity.is_output) quantity.component -= states;
   return quantity;
 }
 
 }  // namespace
-
-double Quantity::of(const std::function<double(const double*)>& energy,
-                    const std::vector<double>& y0, const double* states, std::size_t count) const {
-  const std::size_t n = y0.size();
-  const double* const last = states + (count - 1) * n;
-  if (kind == Kind::energy) return energy(last);
-  double value = over_time() ? y0[component] : last[component];
-  for (std::size_t k = 0; over_time() && k < count; ++k) {
-    const double each = states[k * n + component];
-    value = kind == Kind::greatest ? std::max(value, each) : std::min(value, each);
-  }
-  return value;
-}
 
 std::optional<Quantity> error_of_members(const Case& c) {
   const auto* const text = c.family.target<cases::TextFamilies>();
@@ -69,9 +63,9 @@ std::optional<Quantity> error_of_members(const Case& c) {
 }
 
 std::vector<Quantity> quantities_of(const std::string& text, const Case& c) {
-  const std::vector<std::string> names = component_names(c);
   std::vector<Quantity> all;
   if (text.empty()) {
+    const std::vector<std::string> names = component_names(c);
     for (std::size_t i = 0; i < names.size(); ++i)
       all.push_back({.name = names[i], .component = i});
     return all;
@@ -82,13 +76,13 @@ std::vector<Quantity> quantities_of(const std::string& text, const Case& c) {
   for (const char letter : text + ',') {
     depth += letter == '(' ? 1 : letter == ')' ? -1 : 0;
     if (letter == ',' && depth <= 0) {
-      all.push_back(quantity_of(word, names, static_cast<bool>(c.energy)));
+      all.push_back(quantity_of(word, c));
       word.clear();
     } else if (letter != ' ') {
       word += letter;
     }
   }
-  if (!word.empty()) all.push_back(quantity_of(word, names, static_cast<bool>(c.energy)));
+  if (!word.empty()) all.push_back(quantity_of(word, c));
   return all;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/sweep/runner.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "odeum/judge/errors.hpp"
@@ -94,13 +96,37 @@ MemberRow Runner::measure(const std::vector<double>& values) const {
 
 double Runner::value(const Quantity& quantity, const std::vector<double>& values,
                      const Outcome& outcome) {
-  const std::size_t n = y0_->size();
-  if (quantity.kind == Quantity::Kind::error)
-    return error(values, outcome.states.data() + outcome.states.size() - n);
-  return quantity.of(energy_, *y0_, outcome.states.data(), outcome.states.size() / n);
+  const std::size_t n = y0_->size(), count = outcome.states.size() / n;
+  const double* const last = outcome.states.data() + (count - 1) * n;
+  if (quantity.kind == Quantity::Kind::error || quantity.kind == Quantity::Kind::error_of)
+    return error(quantity, values, last);
+  const std::vector<double>& stops = plan_.request.stops;
+  if (!quantity.over_time()) return value_at(quantity, values, stops.back(), last);
+  double value = value_at(quantity, values, plan_.base->t0, y0_->data());
+  for (std::size_t k = 0; k < count; ++k) {
+    const double each = value_at(quantity, values, stops[k], outcome.states.data() + k * n);
+    value =
+        quantity.kind == Quantity::Kind::greatest ? std::max(value, each) : std::min(value, each);
+  }
+  return value;
 }
 
-double Runner::error(const std::vector<double>& values, const double* last) {
+double Runner::value_at(const Quantity& quantity, const std::vector<double>& values, double t,
+                        const double* y) {
+  if (quantity.kind == Quantity::Kind::energy) return energy_(y);
+  if (!quantity.is_output) return y[quantity.component];
+  const auto* const text = plan_.base->family.target<cases::TextFamilies>();
+  if (text && !outputs_) outputs_ = text->outputs();
+  std::vector<double> all(plan_.base->outputs.names.size());
+  if (outputs_)
+    outputs_(values, t, y, all.data());
+  else
+    case_.outputs.at(t, y, all.data());
+  return all[quantity.component];
+}
+
+double Runner::error(const Quantity& quantity, const std::vector<double>& values,
+                     const double* last) {
   const Case& base = *plan_.base;
   if (const auto* const text = base.family.target<cases::TextFamilies>(); text && !exact_) {
     exact_ = text->exact();
@@ -109,7 +135,13 @@ double Runner::error(const std::vector<double>& values, const double* last) {
     judged_.units = base.units;
   }
   if (exact_) judged_.truth.at = [&](double t, double* y) { return exact_(values, t, y); };
-  return judge::error_at(exact_ ? judged_ : case_, plan_.request.stops.back(), last);
+  const Case& judged = exact_ ? judged_ : case_;
+  const double end = plan_.request.stops.back();
+  if (quantity.kind == Quantity::Kind::error) return judge::error_at(judged, end, last);
+  std::vector<double> exact(y0_->size());
+  if (!judged.truth.at(end, exact.data())) return nan;
+  return std::abs(value_at(quantity, values, end, last) -
+                  value_at(quantity, values, end, exact.data()));
 }
 
 Runners::Runners(const Plan& plan) : plan_(plan) {

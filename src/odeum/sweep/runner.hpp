@@ -31,8 +31,11 @@ class Runner {
 
  private:
   void use_lanes();
+  /// The value of a component, an output or the energy for a state at t.
+  double value_at(const Quantity& quantity, const std::vector<double>& values, double t,
+                  const double* y);
   /// NaN where the closed form does not hold for the values.
-  double error(const std::vector<double>& values, const double* last);
+  double error(const Quantity& quantity, const std::vector<double>& values, const double* last);
 
   const Plan& plan_;
   std::optional<Family> family_;
@@ -42,6 +45,7 @@ class Runner {
   cases::MemberTruth exact_;  ///< made where an error is asked for
   Case judged_;               ///< what an error by it needs
   std::function<double(const double*)> energy_;
+  cases::MemberOutputs outputs_;  ///< made where an output of a text is asked for
   std::shared_ptr<const std::vector<double>> y0_;
 };
 
