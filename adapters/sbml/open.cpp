@@ -59,6 +59,32 @@ void require_core(const std::string& file, SBMLDocument& document) {
   }
 }
 
+/// The places at which units that are given disagree, as libsbml finds them: a sentence for all, as
+/// it is a fault of the text and not of its numbers. Nothing of units that are not given.
+std::string warning_of_units(const std::string& file, SBMLDocument& document) {
+  document.getErrorLog()->clearLog();
+  document.setConsistencyChecks(LIBSBML_CAT_UNITS_CONSISTENCY, true);
+  for (const auto category : {LIBSBML_CAT_GENERAL_CONSISTENCY, LIBSBML_CAT_IDENTIFIER_CONSISTENCY,
+                              LIBSBML_CAT_MATHML_CONSISTENCY, LIBSBML_CAT_SBO_CONSISTENCY,
+                              LIBSBML_CAT_OVERDETERMINED_MODEL, LIBSBML_CAT_MODELING_PRACTICE})
+    document.setConsistencyChecks(category, false);
+  document.checkConsistency();
+  unsigned count = 0;
+  std::string first;
+  for (unsigned k = 0; k < document.getNumErrors(); ++k) {
+    const SBMLError& error = *document.getError(k);
+    constexpr unsigned units_of_formulas = 105;  // the hundred of their rules in SBML
+    if (error.getErrorId() / 100 != units_of_formulas || error.getSeverity() < LIBSBML_SEV_WARNING)
+      continue;
+    if (count++ > 0) continue;
+    first = fmt::format("{}:{}: {}", file, std::max(1U, error.getLine()), error.getShortMessage());
+  }
+  if (count == 0) return {};
+  return fmt::format(
+      "{}{}; numbers are taken as they stand", first,
+      count > 1 ? fmt::format(", as at {} other place{}", count - 1, count > 2 ? "s" : "") : "");
+}
+
 cases::SbmlText translated(const std::string& file, const std::string& xml, double end) {
   require_plain(file, xml);
   const std::unique_ptr<SBMLDocument> document(readSBMLFromString(xml.c_str()));
@@ -77,6 +103,8 @@ cases::SbmlText translated(const std::string& file, const std::string& xml, doub
   }
   if (model->getNumConstraints() > 0)
     result.warnings.push_back(fmt::format("{}: constraints are not watched", file));
+  if (std::string units = warning_of_units(file, *document); !units.empty())
+    result.warnings.push_back(std::move(units));
   return result;
 }
 

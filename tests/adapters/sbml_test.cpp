@@ -182,5 +182,31 @@ TEST(Sbml, AnEventBecomesOneOfTheText) {
   EXPECT_EQ(event.set.size(), 2U);
 }
 
+/// The warnings of a model of x' = k, whose k has these units.
+std::vector<std::string> warnings(const std::string& units) {
+  const std::string xml =
+      R"(<?xml version="1.0" encoding="UTF-8"?>
+<sbml xmlns="http://www.sbml.org/sbml/level3/version1/core" level="3" version="1">
+<model id="m" timeUnits="second"><listOfUnitDefinitions><unitDefinition id="rate"><listOfUnits>
+<unit kind="mole" exponent="1" scale="0" multiplier="1"/>
+<unit kind="second" exponent="-1" scale="0" multiplier="1"/></listOfUnits></unitDefinition>
+</listOfUnitDefinitions><listOfParameters>
+<parameter id="x" value="1" units="mole" constant="false"/>
+<parameter id="k" value="2" constant="true")" +
+      units + R"(/></listOfParameters><listOfRules><rateRule variable="x">)" + math("<ci>k</ci>") +
+      "</rateRule></listOfRules></model></sbml>\n";
+  return cases::text_of_sbml("m.xml", xml, 5).warnings;
+}
+
+TEST(Sbml, UnitsAreCheckedWhereTheyAreGiven) {
+  EXPECT_TRUE(warnings("").empty());
+  EXPECT_TRUE(warnings(R"( units="rate")").empty());
+  const std::vector<std::string> said = warnings(R"( units="metre")");
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_TRUE(said[0].starts_with("m.xml:")) << said[0];
+  EXPECT_NE(said[0].find("nits"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("; numbers are taken as they stand"), std::string::npos) << said[0];
+}
+
 }  // namespace
 }  // namespace odeum::sbml_test
