@@ -60,7 +60,7 @@ Model::~Model() {
 }
 
 int Model::place(double t, const double* y) {
-  // No model goes back behind an event.
+  // No model goes back behind an event, or before its start.
   if (const int failed = wrong(set_time(std::max(t, event_)))) return failed;
   if (inputs_)
     for (const Inputs::Column& column : inputs_->columns())
@@ -141,6 +141,7 @@ void Model::initialise(const Values& values) {
   const std::size_t n = count_states();
   has_states = n > 0;
   if (description_.has_indicators) indicators = count_indicators();
+  event_ = description_.t0;
   y0.resize(has_states ? n : description_.outputs.size());
   if (y0.empty()) throw LoadError("the model has no continuous states, and no outputs in numbers");
   if (!has_states) return read_outputs(y0.data());

@@ -110,7 +110,8 @@ class Model {
   void set_inputs(double t);
 
   const Inputs* inputs_;
-  double event_ = -std::numeric_limits<double>::infinity();  ///< the time of the last event
+  double event_ =
+      -std::numeric_limits<double>::infinity();  ///< the time of the last event, or the start
   double passed_ = event_;  ///< the last time at which inputs jump whose later values hold
 };
 

@@ -189,6 +189,34 @@ TEST_P(Hybrid, ChatteringIsSaid) {
   EXPECT_NE(outcome.detail.find("chattering"), std::string::npos) << outcome.detail;
 }
 
+TEST_P(Hybrid, EventsWithoutEndAreSaid) {
+  const Case c = hybrid(ball(), {{"v_min", "0"}});
+  const Outcome outcome = run(c, "odeum/dormand_prince54", {2, 3}, 1e-6);
+  EXPECT_EQ(outcome.status, Status::step_too_small) << outcome.detail;
+  EXPECT_NE(outcome.detail.find("ever faster"), std::string::npos) << outcome.detail;
+  ASSERT_GE(outcome.states.size(), 2U);
+  EXPECT_NEAR(outcome.states[0], bounced(2, 0.7, 0).h, 1e-9);
+}
+
+// The states in which events are looked for cost evaluations, too: a run that has none left for
+// them had missed an event, with status ok.
+TEST_P(Hybrid, NoEventIsMissedForABudget) {
+  const Case c = hybrid(thermostat());
+  bool some = false;
+  for (const std::uint64_t budget : {2'000, 20'000, 50'000, 100'000, 200'000}) {
+    for (const char* id : {"odeum/cash_karp54_order1", "odeum/cash_karp54_order1_as_it_comes"}) {
+      Request request{.mode = Mode::adaptive, .tolerance = 1e-5, .stops = {1, 2}};
+      request.budget.evaluations = budget;
+      const Outcome outcome = c.entrants.find(id)->solve(request);
+      if (outcome.status == Status::ok) {
+        EXPECT_EQ(outcome.events.size(), 5U) << id << budget;
+      }
+      some = some || outcome.status == Status::over_budget;
+    }
+  }
+  EXPECT_TRUE(some);
+}
+
 TEST_P(Hybrid, EventsThatFailAreSaid) {
   const auto model = [](int fault) {
     return Model{"{fault}",

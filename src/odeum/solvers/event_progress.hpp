@@ -152,6 +152,11 @@ class EventProgress {
                      "finite time)",
                      since, t_));
   }
+  /// Steps that were not looked into may hide events.
+  void fail_unseen(const Outcome& within) {
+    if (std::isfinite(within.t)) all_.t = std::min(within.t, end_);
+    fail(within.status, "states within steps, where events are looked for: " + within.detail);
+  }
   void fail(Status status, std::string why) {
     go_on_ = false;
     all_.status = status;

@@ -67,6 +67,7 @@ class EventRun : EventProgress {
       Outcome outcome = tried(run, y_, t_, request);
       if (const Found found = look_between(run, ahead, outcome))
         return arrive(found, [&] { take(tried(run, y_, t_, part_to(found.t, 0)), found.t); });
+      if (!go_on_) return;
       if (outcome.status == Status::ok && ahead < end) continue;
       if (!request_.record_steps) outcome.step_ends.clear();
       return take(std::move(outcome), ahead);
@@ -109,7 +110,10 @@ class EventRun : EventProgress {
     for (std::size_t k = 1; k < ends.size(); ++k) {
       for (std::size_t node = 0; node < states.size(); ++node)
         states[node] = state_at(node_of(ends, k, node));
-      if (std::ranges::find(states, nullptr) != states.end()) return {};
+      if (std::ranges::find(states, nullptr) != states.end()) {
+        if (outcome.status == Status::ok) fail_unseen(within);
+        return {};
+      }
       const StepPolynomial polynomial(ends[k - 1], ends[k], states, n);
       if (const Found found = look(ends[k - 1], ends[k], polynomial, states.back())) return found;
     }

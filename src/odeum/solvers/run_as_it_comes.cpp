@@ -111,6 +111,10 @@ class RunAsItComes : EventProgress {
           take(tried(run_, y_, t_, part_to(t, 0)), t);
           return found;
         }
+        if (outcome.status == Status::ok && reached < request.stops.size()) {
+          fail_unseen(within);
+          return {};
+        }
       }
       if (outcome.status == Status::ok && outcome.step_ends.empty()) {
         fail(Status::refused, "its library does not say where steps end");
