@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "fmi_hybrid_stage.hpp"
+#include "odeum/solvers/own_methods.hpp"
+#include "odeum/solvers/pieces.hpp"
 
 namespace odeum::fmi_tests::fmi_hybrid_test {
 namespace {
@@ -215,6 +217,16 @@ TEST_P(Hybrid, NoEventIsMissedForABudget) {
     }
   }
   EXPECT_TRUE(some);
+}
+
+// The judge of a run solves again from states along it, in the process of the laboratory, where no
+// model is loaded: that crashed.
+TEST_P(Hybrid, OutsideOfItsProcessAModelIsRefused) {
+  const Case c = hybrid(ball());
+  Request request{.mode = Mode::adaptive, .tolerance = 1e-6, .stops = {1}};
+  const Outcome outcome = enrolled(own_solver("rodas4"), c.problem).solve(request);
+  EXPECT_EQ(outcome.status, Status::refused);
+  EXPECT_NE(outcome.detail.find("in a process of its own"), std::string::npos) << outcome.detail;
 }
 
 TEST_P(Hybrid, EventsThatFailAreSaid) {
