@@ -200,7 +200,7 @@ class FewFactors final : public Factors {
   FewFactors(const Sparsity& pattern, const std::shared_ptr<const Elimination>& how)
       : pattern_(pattern), lu_(pattern, how), x_(is_complex ? pattern.unknowns() : 0) {}
   bool factorise(const std::vector<double>& values, std::complex<double> g) override {
-    Scalar shift;
+    Scalar shift = 0;
     if constexpr (is_complex)
       shift = g;
     else
