@@ -91,6 +91,20 @@ events:
   EXPECT_EQ(events_of("1.68", "1.3"), 2);
 }
 
+// An event by the clock on a stop stays on it, however constants are rounded.
+TEST(EventZeros, AnEventOnTheLastStopIsKnown) {
+  const HybridText text(R"text(
+states: {x: 1, since: 0}
+equations: {x: -x, since: 0}
+time: {end: 0.006, stops: [0.006]}
+events:
+  - {at: 4e-4, every: 4e-4, set: {since: t}}
+)text");
+  std::vector<long double> y(2, -1);
+  EXPECT_TRUE(cases::truth_of(text.ode).extended(0.006, y.data()));
+  EXPECT_NEAR(static_cast<double>(y[1]), 0.006, 1e-17);
+}
+
 // A run to an event is another one than that in which it was found, and may end on its other side.
 TEST(EventZeros, AnEventIsOneHoweverItsRunEnds) {
   const HybridText text(R"text(

@@ -67,7 +67,6 @@ System later(System s, Real origin) {
   move(s.taylor);
   move(s.moved_rhs);
   move(s.holds);
-  move(s.nearest_event);
   move(s.whole_rhs);
   if (s.insight)
     s.insight = [insight = s.insight, origin](Real span) {

@@ -146,7 +146,7 @@ class EventsAlong {
     whole.end = course_->happen(events_->origin + t, crossings, y, ahead);
     if (!whole.end.empty()) return false;
     if (course_->done().empty()) return true;
-    whole.happened.insert(whole.happened.end(), course_->done().size(), whole.states.size());
+    whole.happened.insert(whole.happened.end(), course_->done().size(), t);
     // The rounding of the time moves the state along both slopes.
     if (whole.unsure.empty()) whole.sure = whole.states.size();
     whole.unsure.resize(y.size());

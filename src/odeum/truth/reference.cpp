@@ -238,8 +238,8 @@ class Search {
       const State& y = best.a.states[k];
       extend(apart, best.apart[k]), extend(largest, y);
       if (std::ranges::find(best.a.ambiguous, k) != best.a.ambiguous.end()) continue;
-      const bool compared = moved_ && k < moved_->states.size(),
-                 events_differ = compared && moved_->events_until(k) != best.a.events_until(k);
+      const Real sure = elapsed_[k] - 0x1p-36L * elapsed_.back();  // moved times are off by 2^-40
+      const bool compared = moved_ && k < moved_->states.size();
       State constants(n, rounds_at_events() ? HUGE_VALL : 0), floors(n);
       if (compared) constants = difference_of(y, moved_->states[k]);
       for (std::size_t i = 0; i < n; ++i)
@@ -247,13 +247,13 @@ class Search {
                     10 * constants[i] / moved_by * (rounds_at_events() ? 0x1p-54L : 0x1p-64L) +
                     unsure(best.a, k, i) + unsure(best.b, k, i) +
                     least * (units_.is_relative(i) ? std::abs(y[i]) : largest[i]);
-      if (events_differ || !(largest_of(floors, y, units_) <= few_digits * size_of(largest))) {
+      if ((compared && moved_->events_before(sure) != best.a.events_before(sure)) ||
+          !(largest_of(floors, y, units_) <= few_digits * size_of(largest))) {
         r.end = fmt::format("from t = {:.6Lg} on, rounding leaves too few digits", times_[k]);
         break;
       }
       r.known_until = static_cast<double>(times_[k]);
-      r.times.push_back(r.known_until);
-      r.states.push_back(y);
+      r.times.push_back(r.known_until), r.states.push_back(y);
       r.floors.emplace_back(floors.begin(), floors.end());
     }
     if (r.end.empty() && best.known < times_.size()) r.end = why(best);

@@ -106,9 +106,6 @@ struct System {
   std::shared_ptr<const Happenings> events;
   /// The signs that a mode's functions of events have as long as it holds.
   std::vector<int> sides;
-  /// The least magnitude of those functions that are not zero while it holds; empty: there are
-  /// none.
-  std::function<Real(Real t, const Real* y)> nearest_event;
   std::function<Real(Real t, const Real* y)> holds;
   /// The right-hand side of which this is a mode; empty: it is not a mode.
   std::function<void(Real t, const Real* y, Real* f)> whole_rhs;
@@ -159,9 +156,9 @@ struct Run {
   State peaks;           ///< the largest of each component
   /// The numbers of the times so close to an event that rounding decides on which side they are.
   std::vector<std::size_t> ambiguous;
-  std::vector<std::size_t> happened;  ///< of each event, how many times lie before it
-  std::ptrdiff_t events_until(std::size_t k) const {
-    return std::ranges::count_if(happened, [k](std::size_t before) { return before <= k; });
+  State happened;  ///< the times of events
+  std::ptrdiff_t events_before(Real t) const {
+    return std::ranges::count_if(happened, [t](Real at) { return at < t; });
   }
 };
 

@@ -202,17 +202,6 @@ class Modes {
     for (std::size_t k = 0; k < sides.size(); ++k)
       sides[k] == 0 ? zero.push_back(part.events[k][0])
                     : positive.push_back(part.events[k][sides[k] > 0 ? 0 : 1]);
-    if (std::ranges::any_of(sides, [](int side) { return side != 0; }))
-      system->nearest_event =
-          [functions = formula::Evaluator<Real>(part.ode->problem().graph, part.mode.events),
-           sides](Real at, const Real* y) {
-            State values(sides.size());
-            functions(at, y, values.data());
-            Real least = std::numeric_limits<Real>::infinity();
-            for (std::size_t k = 0; k < sides.size(); ++k)
-              if (sides[k] != 0) least = std::min(least, std::abs(values[k]));
-            return least;
-          };
     system->sides = std::move(sides);
     std::vector<Id> all = positive;
     all.insert(all.end(), zero.begin(), zero.end());

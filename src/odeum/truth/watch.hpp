@@ -103,10 +103,6 @@ struct Watch {
     if (h < 8 * shortest_inspected * span && ++shortest > most_of_shortest)
       run.end =
           fmt::format("the equations are not resolved from t = {:.9Lg} on", system.origin + t);
-    else if (inside.kind != Inside::Kind::nothing && is_beside_event(system, t, h, y, next))
-      run.end =
-          fmt::format("a function of an event touches zero or hardly misses it at t = {:.9Lg}",
-                      system.origin + t);
     else if (inside.kind != Inside::Kind::nothing && !is_harmless(t, h, y, sizes, next, run))
       run.end = fmt::format("the equations have something shorter than {:.1Lg} at t = {:.9Lg}", h,
                             system.origin + t);
@@ -114,16 +110,6 @@ struct Watch {
   }
 
  private:
-  /// Whether the function of an event may have a zero in a step that can't be looked into: one is
-  /// no larger than what it changes by. Where the whole run ends nothing follows from that.
-  bool is_beside_event(const System& system, Real t, Real h, const State& y,
-                       const State& next) const {
-    if (!system.nearest_event || t + h >= span * (1 - 2 * shortest_inspected)) return false;
-    constexpr Real times = 64, least = 1e-15L;
-    const Real first = system.nearest_event(t, y.data()),
-               last = system.nearest_event(t + h, next.data());
-    return std::min(first, last) <= times * std::abs(last - first) + least;
-  }
   /// Whether the unseen part of a step that can't be looked into moves the state by little.
   bool is_harmless(Real t, Real h, const State& y, const State& sizes, const State& next,
                    Run& run) {
