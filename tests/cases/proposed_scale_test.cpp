@@ -247,5 +247,14 @@ TEST(ErrorUnits, OfATextDoNotFollowFromItsTags) {
   EXPECT_EQ(judge::unit_text(c), "absolute");
 }
 
+// What is left of a component that has decayed is the noise of a run, which rises and falls: its
+// unit was 2e-23, and an error of 1e-14 of the whole was 4e7 of it.
+TEST(ProposedScale, NoiseThatRisesIsNoSize) {
+  const Case c =
+      of_text("states: {a: 1, b: 0}\nequations: {a: -1000*a, b: 1000*a}\ntime: {end: 10}\n");
+  EXPECT_TRUE(c.units.scale.empty());  // 1 of each
+  EXPECT_EQ(c.tolerance.threshold(0), 1);
+}
+
 }  // namespace
 }  // namespace odeum::proposed_scale_test

@@ -26,6 +26,7 @@ struct Look {
   bool ends = false;               ///< the solution does, there
   std::vector<State> states = {};  ///< at the times that it reached
   double slides_from = std::numeric_limits<double>::infinity();
+  std::vector<double> dips_before = {};  ///< those of a coarser run; empty: none was made
   std::size_t reached() const { return states.size(); }
 };
 
@@ -79,6 +80,7 @@ Look settled(const System& system, const std::vector<Real>& times) {
     const std::size_t mark = std::min(finer.reached(), look.reached()) - 1;
     const Along before = look.seen.at(mark), now = finer.seen.at(mark);
     look = std::move(finer);
+    look.dips_before = before.dips;
     if (!farther && std::ranges::equal(before.largest, now.largest, is_near) &&
         std::ranges::equal(before.dips, now.dips, is_near))
       break;
@@ -103,6 +105,13 @@ void leave_out_rounding(const System& system, const std::vector<Real>& times, st
     if (in_doubt(along.largest[i]) && !is_near(along.largest[i], other.largest[i]))
       along.largest[i] = along.dips[i] = 0;
   }
+}
+
+/// Sets the dips to zero that change with the tolerance to the last: what is left of a component
+/// that has decayed is the noise of a run, which rises and falls as it may.
+void leave_out_noise(const Look& look, Along& along) {
+  for (std::size_t i = 0; i < look.dips_before.size(); ++i)
+    if (!is_near(along.dips[i], look.dips_before[i])) along.dips[i] = 0;
 }
 
 /// Sets the dips to zero of which nothing is left later: a run that holds each such component at
@@ -188,6 +197,7 @@ std::optional<Along> look_along(const System& system, const std::vector<double>&
   Along along = look.seen.at(mark);
   along.slides_from = look.slides_from;
   along.whole = times[mark] == times.back();
+  leave_out_noise(look, along);
   leave_out_forgotten(system, times, look, mark, along);
   leave_out_rounding(system, times, mark, along);
   return along;
