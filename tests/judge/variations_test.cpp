@@ -58,5 +58,22 @@ TEST(Amplification, IsThatOfRunsWhereASlopeJumps) {
   EXPECT_LT(found.at_stops.back(), 78);
 }
 
+// A power that is not an integer, of a state that begins at 0: a run from below has no value.
+TEST(Amplification, IsMeasuredWithinTheDomain) {
+  const tests::HybridText text(
+      "states: {m: 0, p: 0}\nequations: {m: 0.03 + 2*p^1.7/(0.4 + p^1.7) - m, p: m - 0.4*p}\n"
+      "time: {end: 1}\n");
+  Case c;
+  c.y0 = {0, 0};
+  c.stops = {1};
+  c.problem = text.contest;
+  const std::vector<double> end = text.run("odeum/dormand_prince853", 1e-12).states;
+  c.truth.at = [&](double, double* y) {
+    y[0] = end.end()[-2], y[1] = end.end()[-1];
+    return true;
+  };
+  EXPECT_EQ(measure_amplification(c, c.stops).unknown, "");
+}
+
 }  // namespace
 }  // namespace odeum::judge::variations_test

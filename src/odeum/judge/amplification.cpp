@@ -108,7 +108,7 @@ States exact_matrix(const Case& c, const Tolerance& finest, Flow& flow, const Pa
   if (all.empty()) return {};
   const States matrix(all.begin() + static_cast<std::ptrdiff_t>(n), all.end());
   States moved = from;
-  for (std::size_t j = 0; j < n; ++j) moved[j] += (j % 2 ? -1 : 1) * perturbation * units[j];
+  for (std::size_t j = 0; j < n; ++j) moved[j] += perturbation * units[j];
   const States there = flow.solve(path.times[k], moved, {path.times[k + 1]});
   double size = 0, apart = 0;
   const States end = units_of(finest, there);
