@@ -46,7 +46,7 @@ expect(2 "run ${at}/nothing.fmu" "nothing.fmu: is not a file")
 expect(2 "converge ${fmu} --set nu=1" "the model has no variable nu; it has x, v, mu, a, fault")
 file(WRITE ${FOLDER}/u.csv "time,u\n0,1\n")
 expect(2 "run ${fmu} --inputs ${FOLDER}/u.csv" "u.csv:1:6: inputs: the model has no such input; got u, expected no column")
-expect(2 "run lotka_volterra --inputs ${FOLDER}/u.csv" "--inputs: got .lotka_volterra., expected an FMU")
+expect(2 "run lotka_volterra --inputs ${FOLDER}/u.csv" "--inputs: got lotka_volterra, expected an FMU")
 expect(2 "run ${fmu} --set fault=9" "foreign code crashed: Aborted")
 expect(3 "run ${fmu} --set fault=3 --solver odeum/rk4 --step 0.01" "foreign code crashed: Aborted")
 # A run of too many steps is refused before a truth is computed.
