@@ -216,7 +216,7 @@ std::vector<std::string> member_names(const std::string& of, const Graph& graph)
     // Names that begin with _ or have __ are the compiler's.
     if (name.starts_with('_') || name.find("__") != std::string::npos || is_taken(name, of) ||
         !printed.insert(name).second)
-      for (name = "p_" + name; used.contains(name);) name += '_';
+      for (name.insert(0, "p_"); used.contains(name);) name += '_';
     used.insert(name);
     names.push_back(std::move(name));
   }
