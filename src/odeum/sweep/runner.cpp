@@ -102,6 +102,8 @@ double Runner::value(const Quantity& quantity, const std::vector<double>& values
     return error(quantity, values, last);
   const std::vector<double>& stops = plan_.request.stops;
   if (!quantity.over_time()) return value_at(quantity, values, stops.back(), last);
+  // Members that ran together were not placed here.
+  if (family_) family_->place(values);
   double value = value_at(quantity, values, plan_.base->t0, y0_->data());
   for (std::size_t k = 0; k < count; ++k) {
     const double each = value_at(quantity, values, stops[k], outcome.states.data() + k * n);
