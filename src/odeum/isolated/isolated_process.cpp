@@ -150,7 +150,11 @@ void write_result(const Outcome& outcome, std::size_t room, Report& report) {
     to = std::ranges::copy(met.after, to).out;
     ++report.events;
   }
-  report.say(outcome.detail);
+  std::string detail = outcome.detail;
+  if (report.events < outcome.events.size())
+    detail += fmt::format("{}the first {} of {} events are told", detail.empty() ? "" : "; ",
+                          report.events, outcome.events.size());
+  report.say(detail);
 }
 
 Outcome read_result(Report& report, std::size_t room, std::size_t n) {

@@ -11,7 +11,6 @@
 #include "odeum/judge/errors.hpp"
 #include "odeum/judge/flow.hpp"
 #include "odeum/judge/variations.hpp"
-#include "odeum/problem/events.hpp"
 
 namespace odeum::judge {
 namespace {
@@ -248,13 +247,6 @@ std::vector<Control> controls(const Case& c, const Flow& flow, const std::vector
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops,
                                     const Tolerance& asked) {
   Amplification result{.at_stops = States(stops.size(), 0), .controls = {}, .unknown = {}};
-  constexpr const char* not_known = "the amplification of errors is not known: ";
-  if (c.problem.events && c.problem.events->isolated) {
-    result.unknown = fmt::format(
-        "{}it takes runs that begin between events, where the FMU's discrete states are not told",
-        not_known);
-    return result;
-  }
   try {
     const bool many = c.y0.size() > most_columns;
     Flow flow(c, stops.back(), many ? "dormand_prince54" : "dormand_prince853",
@@ -265,7 +257,7 @@ Amplification measure_amplification(const Case& c, const std::vector<double>& st
       by_all_columns(c, flow, stops, asked, result);
     result.controls = controls(c, flow, stops, many ? 1e-5 : 1e-8);
   } catch (const std::runtime_error& error) {
-    result.unknown = std::string(not_known) + error.what();
+    result.unknown = std::string("the amplification of errors is not known: ") + error.what();
   }
   return result;
 }

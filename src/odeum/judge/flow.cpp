@@ -50,8 +50,7 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
   ErasedContest contest = c.problem;
   if (contest.events && start > c.t0) {
     if (contest.events->remembers)
-      return refused(
-          "delays or discrete states, which its state does not tell, make a run one whole");
+      return refused("delays of events, which are not in its state, make a run one whole");
     auto resumed = std::make_shared<Events>(*contest.events);
     resumed->resumed = true;
     contest.events = std::move(resumed);
@@ -92,6 +91,9 @@ std::uint64_t foreseen_evaluations(const Outcome& ended, const std::vector<doubl
 
 Flow::Flow(const Case& c, double end, const char* explicit_method, const Tolerance& tolerance)
     : case_(c), explicit_method_(explicit_method), method_(explicit_method), tolerance_(tolerance) {
+  if (c.problem.events && c.problem.events->isolated)
+    throw std::runtime_error(
+        "it takes runs that begin between events, where the FMU's discrete states are not told");
   const auto attempt = [&](const char* method, std::uint64_t budget) {
     method_ = method;
     evaluated_.clear();

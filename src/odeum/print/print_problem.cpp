@@ -194,8 +194,9 @@ constexpr std::string_view taken[] = {
     "unix",
     // the struct's own
     "acceleration", "after", "dimension", "energy", "event", "event_functions", "events",
-    "explicit_part", "happen", "implicit_jacobian", "implicit_part", "jacobian", "linear_matrix", "power", "rhs", "root", "slopes", "square", "std", "sum",
-    "taylor", "time_derivative", "velocity_dependent"};
+    "explicit_part", "happen", "implicit_jacobian", "implicit_part", "jacobian", "linear_matrix",
+    "power", "rhs", "root", "slopes", "square", "std", "sum", "taylor", "time_derivative",
+    "velocity_dependent"};
 // clang-format on
 constexpr std::string_view taken_beginnings[] = {"FP_", "kept_", "M_", "MATH_", "SEEK_"};
 

@@ -47,6 +47,8 @@ void Runner::use_lanes() {
   const std::string_view solver = plan_.solver;
   const auto* const text = plan_.base->family.target<cases::TextFamilies>();
   if (!text || !solver.starts_with(own) || plan_.request.stops.size() != 1) return;
+  // What is asked over the time needs each member's start.
+  if (std::ranges::any_of(plan_.quantities, &Quantity::over_time)) return;
   // Members that step together do not end their steps at the switches of each.
   if (plan_.request.mode == Mode::adaptive && plan_.base->problem.switches) return;
   // What the solver does not fit at all is told by member.
@@ -102,8 +104,6 @@ double Runner::value(const Quantity& quantity, const std::vector<double>& values
     return error(quantity, values, last);
   const std::vector<double>& stops = plan_.request.stops;
   if (!quantity.over_time()) return value_at(quantity, values, stops.back(), last);
-  // Members that ran together were not placed here.
-  if (family_) family_->place(values);
   double value = value_at(quantity, values, plan_.base->t0, y0_->data());
   for (std::size_t k = 0; k < count; ++k) {
     const double each = value_at(quantity, values, stops[k], outcome.states.data() + k * n);

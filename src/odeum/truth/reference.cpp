@@ -226,34 +226,22 @@ class Search {
     r.methods = family_.words;
     r.disagreement = static_cast<double>(best.worst);
     r.known_until = static_cast<double>(t0_);
-    const auto unsure = [](const Run& run, std::size_t k, std::size_t i) -> Real {
-      return k < run.sure || run.unsure.empty() ? 0 : run.unsure[i];
-    };
-    // Rounding of constants is one error with one sign, which two methods share. Their disagreement
-    // can be small by chance, errors of both can have one sign, and each misses kinks alike.
-    const std::size_t n = system_.states;
-    State apart(n, 0), largest(n, 0);
+    State apart(system_.states, 0), largest(system_.states, 0);
     extend(largest, system_.y0);
     for (std::size_t k = 0; k < best.known; ++k) {
       const State& y = best.a.states[k];
-      extend(apart, best.apart[k]), extend(largest, y);
+      extend(apart, best.apart[k]);
+      extend(largest, y);
       if (std::ranges::find(best.a.ambiguous, k) != best.a.ambiguous.end()) continue;
-      const Real sure = elapsed_[k] - 0x1p-36L * elapsed_.back();  // moved times are off by 2^-40
-      const bool compared = moved_ && k < moved_->states.size();
-      State constants(n, rounds_at_events() ? HUGE_VALL : 0), floors(n);
-      if (compared) constants = difference_of(y, moved_->states[k]);
-      for (std::size_t i = 0; i < n; ++i)
-        floors[i] = safety() * apart[i] +
-                    10 * constants[i] / moved_by * (rounds_at_events() ? 0x1p-54L : 0x1p-64L) +
-                    unsure(best.a, k, i) + unsure(best.b, k, i) +
-                    least * (units_.is_relative(i) ? std::abs(y[i]) : largest[i]);
-      if ((compared && moved_->events_before(sure) != best.a.events_before(sure)) ||
+      const State floors = floors_of(best, k, apart, largest);
+      if (constants_decide_events(best, k) ||
           !(largest_of(floors, y, units_) <= few_digits * size_of(largest))) {
         r.end = fmt::format("from t = {:.6Lg} on, rounding leaves too few digits", times_[k]);
         break;
       }
       r.known_until = static_cast<double>(times_[k]);
-      r.times.push_back(r.known_until), r.states.push_back(y);
+      r.times.push_back(r.known_until);
+      r.states.push_back(y);
       r.floors.emplace_back(floors.begin(), floors.end());
     }
     if (r.end.empty() && best.known < times_.size()) r.end = why(best);
@@ -263,6 +251,30 @@ class Search {
     return r;
   }
 
+  /// The error of each component at a time. Rounding of constants is one error with one sign, which
+  /// two methods share. Their disagreement can be small by chance, errors of both can have one
+  /// sign, and each misses kinks alike. `apart`, `largest`: up to that time.
+  State floors_of(const Comparison& best, std::size_t k, const State& apart,
+                  const State& largest) const {
+    const auto unsure = [k](const Run& run, std::size_t i) -> Real {
+      return k < run.sure || run.unsure.empty() ? 0 : run.unsure[i];
+    };
+    const State& y = best.a.states[k];
+    State constants(y.size(), rounds_at_events() ? HUGE_VALL : 0), floors(y.size());
+    if (has_moved(k)) constants = difference_of(y, moved_->states[k]);
+    const Real rounding = rounds_at_events() ? 0x1p-54L : 0x1p-64L;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      floors[i] = safety() * apart[i] + 10 * constants[i] / moved_by * rounding +
+                  unsure(best.a, i) + unsure(best.b, i) +
+                  least * (units_.is_relative(i) ? std::abs(y[i]) : largest[i]);
+    return floors;
+  }
+  bool has_moved(std::size_t k) const { return moved_ && k < moved_->states.size(); }
+  /// Whether moved constants have another number of events before a time.
+  bool constants_decide_events(const Comparison& best, std::size_t k) const {
+    const Real sure = elapsed_[k] - 0x1p-36L * elapsed_.back();  // moved times are off by 2^-40
+    return has_moved(k) && moved_->events_before(sure) != best.a.events_before(sure);
+  }
   bool rounds_at_events() const { return system_.events && system_.events->in_double; }
   Real safety() const { return system_.smooth ? 10 : 100; }
   std::string why(const Comparison& best) const {

@@ -17,9 +17,11 @@ ReadProblem read_fmu(const Named& named, const Given& given) {
 }  // namespace
 
 Kind fmu_kind() {
-  return {"problem", "_fmu",
-          false,     [](const Named& named) { return named.word().ends_with(".fmu"); },
-          read_fmu,  true};
+  return {.name = "problem",
+          .suffix = "_fmu",
+          .recognises = [](const Named& named) { return named.word().ends_with(".fmu"); },
+          .read = read_fmu,
+          .has_inputs = true};
 }
 
 }  // namespace odeum::cases
