@@ -10,6 +10,7 @@
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/truth/families.hpp"
+#include "odeum/truth/floors.hpp"
 #include "odeum/truth/sizes.hpp"
 
 namespace odeum::truth {
@@ -18,7 +19,6 @@ namespace {
 constexpr int checks = 80;          // times looked at besides those asked for
 constexpr Real unknown = 1e-6L;     // of the scale: beyond that nothing is known
 constexpr Real few_digits = 1e-3L;  // of the scale: a larger error leaves nothing to compare with
-constexpr Real least = 0x1p-62L;    // of the scale: rounding of extended precision itself
 constexpr double work_of_few = 3.2e9, work_of_some = 8e9, work_of_many = 6e9;  // 5 to 20 s
 constexpr Real share = 0.4L;     // of what is left, for each of two runs
 constexpr Real brief = 1e-12L;   // the tolerance at which families are compared
@@ -102,7 +102,7 @@ class Search {
     if (c.known < times_.size()) return false;
     const Real size = size_of(c);
     return c.worst <= (system_.states > few ? 1e-13L : 0x1p-60L) * size ||
-           safety() * c.worst <= Accuracy::in_force();
+           safety_of(system_) * c.worst <= Accuracy::in_force();
   }
 
   /// Operations of a method to a tolerance, from those to another one.
@@ -233,8 +233,8 @@ class Search {
       extend(apart, best.apart[k]);
       extend(largest, y);
       if (std::ranges::find(best.a.ambiguous, k) != best.a.ambiguous.end()) continue;
-      const State floors = floors_of(best, k, apart, largest);
-      if (constants_decide_events(best, k) ||
+      const State floors = floors_of({system_, units_, moved_}, best, k, apart, largest);
+      if (constants_decide_events(moved_, best, elapsed_, k) ||
           !(largest_of(floors, y, units_) <= few_digits * size_of(largest))) {
         r.end = fmt::format("from t = {:.6Lg} on, rounding leaves too few digits", times_[k]);
         break;
@@ -251,32 +251,7 @@ class Search {
     return r;
   }
 
-  /// The error of each component at a time. Rounding of constants is one error with one sign, which
-  /// two methods share. Their disagreement can be small by chance, errors of both can have one
-  /// sign, and each misses kinks alike. `apart`, `largest`: up to that time.
-  State floors_of(const Comparison& best, std::size_t k, const State& apart,
-                  const State& largest) const {
-    const auto unsure = [k](const Run& run, std::size_t i) -> Real {
-      return k < run.sure || run.unsure.empty() ? 0 : run.unsure[i];
-    };
-    const State& y = best.a.states[k];
-    State constants(y.size(), rounds_at_events() ? HUGE_VALL : 0), floors(y.size());
-    if (has_moved(k)) constants = difference_of(y, moved_->states[k]);
-    const Real rounding = rounds_at_events() ? 0x1p-54L : 0x1p-64L;
-    for (std::size_t i = 0; i < y.size(); ++i)
-      floors[i] = safety() * apart[i] + 10 * constants[i] / moved_by * rounding +
-                  unsure(best.a, i) + unsure(best.b, i) +
-                  least * (units_.is_relative(i) ? std::abs(y[i]) : largest[i]);
-    return floors;
-  }
-  bool has_moved(std::size_t k) const { return moved_ && k < moved_->states.size(); }
-  /// Whether moved constants have another number of events before a time.
-  bool constants_decide_events(const Comparison& best, std::size_t k) const {
-    const Real sure = elapsed_[k] - 0x1p-36L * elapsed_.back();  // moved times are off by 2^-40
-    return has_moved(k) && moved_->events_before(sure) != best.a.events_before(sure);
-  }
   bool rounds_at_events() const { return system_.events && system_.events->in_double; }
-  Real safety() const { return system_.smooth ? 10 : 100; }
   std::string why(const Comparison& best) const {
     if (best.known < std::min(best.a.states.size(), best.b.states.size()))
       return fmt::format(
