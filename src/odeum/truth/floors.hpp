@@ -10,7 +10,7 @@
 
 namespace odeum::truth {
 
-/// By how many times the disagreement of two methods bounds the error of each: it can be small by
+/// The factor by which the disagreement of two methods bounds the error of each: it can be small by
 /// chance, errors of both can have one sign, and each misses kinks alike.
 inline Real safety_of(const System& system) { return system.smooth ? 10 : 100; }
 
