@@ -8,18 +8,10 @@
 
 #include "odeum/api/integrate.hpp"
 #include "odeum_methods.hpp"
+#include "support/cubic.hpp"
 
 namespace odeum::tests::events_of_all_methods_test {
 namespace {
-
-using State1 = std::array<double, 1>;
-
-/// y = (t + 6) (t + 2) (t - 2)
-struct Cubic {
-  static constexpr std::size_t dimension = 1;
-  void rhs(double t, const double*, double* dydt) const { dydt[0] = 3 * t * t + 12 * t - 4; }
-  static double at(double t) { return (t + 6) * (t + 2) * (t - 2); }
-};
 
 /// The roots after a start, each from where the run to the one before it ended.
 template <class M>

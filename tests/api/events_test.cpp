@@ -16,18 +16,10 @@
 #include "odeum/methods/rodas4.hpp"
 #include "odeum/methods/sdirk4.hpp"
 #include "odeum/methods/seulex.hpp"
+#include "support/cubic.hpp"
 
 namespace odeum::tests::events_test {
 namespace {
-
-using State1 = std::array<double, 1>;
-
-/// y = (t + 6) (t + 2) (t - 2)
-struct Cubic {
-  static constexpr std::size_t dimension = 1;
-  void rhs(double t, const double*, double* dydt) const { dydt[0] = 3 * t * t + 12 * t - 4; }
-  static double at(double t) { return (t + 6) * (t + 2) * (t - 2); }
-};
 
 double height(double, const State1& y) { return y[0]; }
 
