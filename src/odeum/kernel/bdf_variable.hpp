@@ -33,7 +33,7 @@ class BdfStepper {
         h_(h),
         newton_(max_iterations, newton_tolerance(tolerance.relative)),
         difference_(problem) {
-    for (State<P>* state : {&y_, &psi_, &d_, &f_, &scale_, &middle_[0], &middle_[1]})
+    for (State<P>* state : {&y_, &psi_, &d_, &f_, &scale_, &middle_, &middle_slope_})
       *state = make_state(problem);
     difference_[0] = y0;
     problem.rhs(t0, y0.data(), difference_[1].data());
@@ -73,8 +73,8 @@ class BdfStepper {
       const auto order = static_cast<std::size_t>(k);
       const double c = h_ / ((1 - ndf::kappa[order]) * ndf::gamma[order]);
       const State<P>& start = difference_[0];
-      State<P>& at_start = middle_[0];
-      State<P>& at = middle_[1];
+      State<P>& at_start = middle_slope_;
+      State<P>& at = middle_;
       problem_.rhs(t, start.data(), at_start.data());
       each_component(at, [&](std::size_t n) {
         const double at_end = (psi_[n] + d_[n]) / c;
@@ -177,7 +177,7 @@ class BdfStepper {
       newton_;
   KeptJacobian jacobian_;
   State<P> y_, psi_, d_, f_, scale_;
-  std::array<State<P>, 2> middle_;
+  State<P> middle_, middle_slope_;
   DifferenceHistory<max_order, P> difference_;
 };
 
