@@ -82,7 +82,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
       case_.parameters.push_back({name, value, meaning ? scalar(*meaning->value, name) : ""});
     }
     if (offered_.empty()) return;
-    if (problem_.events.empty()) case_.family = TextFamilies{source_};
+    if (problem_.events.empty() && problem_.jumps.empty()) case_.family = TextFamilies{source_};
     // What stays as it is keeps all digits of the file.
     case_.with_values = [file = file_, source = source_,
                          now = case_.parameters](const Values& values) {
@@ -158,9 +158,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     analysis_ = {ode_, &ode_->analysis()};
   }
 
-  /// A reference holds for the usual parameters; else the closed form, or a reference that
-  /// complete() computes. One in place of a reference that no longer holds is computed where a run
-  /// asks for it.
+  /// A reference holds for the usual parameters alone; complete() computes one when a run asks.
   void set_truth() {
     const std::vector<std::string> files = texts("reference");
     double floor = 0;
@@ -184,10 +182,12 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
       }
       return;
     }
-    waits_for_truth_ = problem_.exact.empty() && files.empty();
-    if (waits_for_truth_ || (files.empty() && !file_.folder.empty())) look_along();
+    const bool follows = problem_.exact.empty() && files.empty();
+    waits_for_truth_ = follows && problem_.jumps.empty();  // methods would agree on what has none
+    if (waits_for_truth_ || (!follows && files.empty() && !file_.folder.empty())) look_along();
     if (problem_.exact.empty()) {
-      case_.truth = waits_for_truth_ ? unknown_truth("not computed") : unknown_truth();
+      case_.truth = follows ? unknown_truth(waits_for_truth_ ? "not computed" : problem_.jumps)
+                            : unknown_truth();
       if (along_ && along_->whole) take_sizes(*along_, case_.truth);
     } else {
       truth_ = closed_form(problem_, case_.units);

@@ -27,6 +27,8 @@
 ///                                                         // the state inside the step accepted
 ///                                                         // last, at the order of the method;
 ///                                                         // not ok: at a lower order
+///     void moved();                                       // the state at the end of the step
+///                                                         // accepted last was changed
 ///
 /// The loop then steps over all stops but the last where the request asks for it (over_stops), and
 /// always under a trial that says so (`static constexpr bool always_over_stops`). Without an
@@ -178,6 +180,13 @@ class AdaptiveWalk {
     return Trialled::accepted;
   }
 
+  /// Moves the state onto the problem's constraints; false where that fails.
+  bool project() requires(WithProjection<P>) {
+    const bool found = problem_.project(t(), y_.data()) > 0;
+    if constexpr (requires { trial_.moved(); }) trial_.moved();
+    return found;
+  }
+
   double t() const { return clock_.t(); }
   double h() const { return clock_.h(); }  ///< the step to come
   const State<P>& y() const { return y_; }
@@ -217,6 +226,14 @@ constexpr bool always_over_stops(const Trial&) {
   return false;
 }
 
+/// Ends a run whose state was not moved onto the constraints at t.
+inline Outcome& not_projected(Outcome& outcome, double t) {
+  outcome.status = Status::newton_failed;
+  outcome.t = t;
+  outcome.detail = "no state on the constraints was found near that of t = " + text_of(t);
+  return outcome;
+}
+
 /// Steps from t0 to the last stop; they are shortened only to end on a stop.
 template <Ode P, class Trial>
 Outcome run_adaptive(const P& problem, double t0, const State<P>& y0, const Request& request,
@@ -240,6 +257,8 @@ Outcome run_adaptive(const P& problem, double t0, const State<P>& y0, const Requ
         case Trialled::accepted:
           ++outcome.counters.steps;
           if (request.record_steps) outcome.step_ends.push_back(walk.t());
+          if constexpr (WithProjection<P>)
+            if (offers_project(problem) && !walk.project()) return not_projected(outcome, walk.t());
           break;
         case Trialled::rejected:
           ++outcome.counters.rejected_steps;

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "odeum/control/adaptive.hpp"
 #include "odeum/core/outcome.hpp"
 #include "odeum/core/request.hpp"
 #include "odeum/core/text_of.hpp"
@@ -43,6 +44,9 @@ Outcome run_fixed(const P& problem, double t0, const State<P>& y0, const Request
                        "the state is not finite after t = " + text_of(grid.t(i)));
       if (status != Status::ok || problem.tripped())
         return stopped(status, to_string(status) + (" at t = " + text_of(grid.t(i))));
+      if constexpr (WithProjection<P>)
+        if (offers_project(problem) && problem.project(grid.t(i + 1), y.data()) == 0)
+          return not_projected(outcome, grid.t(i + 1));
       if constexpr (requires { stepper.oversteps_growth(); })
         if (remark.empty() && stepper.oversteps_growth())
           remark =

@@ -49,12 +49,19 @@ class EmbeddedPair {
     return decision;
   }
 
+  /// A stage at the state before is not that of the next step.
+  void moved() {
+    moved_ = true;
+    if constexpr (requires { stepper_.forget(); }) stepper_.forget();
+  }
+
   Status between(const StepMade<State<P>>& step, double time, State<P>& y) {
     if constexpr (interpolant_suffices) {
       stepper_.advance();  // exchanges the first and the last stage: back for the sum over stages
       interpolate<M>(stepper_, step.share(time), step.h, step.before, step.after,
                      stepper_.last_stage(), y);
       stepper_.advance();
+      if (moved_) moved();
       return Status::ok;
     } else {
       Stepper aside(problem_);
@@ -81,6 +88,7 @@ class EmbeddedPair {
   State<P> error_;
   Tolerance tolerance_;
   ErrorScale<State<P>> scale_;
+  bool moved_ = false;
 };
 
 /// Step doubling over any one-step method: one step of h against two of h/2. Above the upper bound

@@ -99,6 +99,9 @@ class TrialInRange {
   Status between(const StepMade<State<P>>& step, double t, State<P>& y) {
     return held_->steps.trial.between(step, t, y);
   }
+  void moved() {
+    if constexpr (requires { held_->steps.trial.moved(); }) held_->steps.trial.moved();
+  }
 
  private:
   using Watched = InRange<P>;
@@ -134,6 +137,11 @@ auto trial_steps_of(const P& problem, double t0, const State<P>& y0, double end,
 /// The run of method M that a request asks for.
 template <class M, Ode P>
 Outcome run_method(const P& problem, double t0, const State<P>& y0, const Request& request) {
+  if constexpr (WithProjection<P> && !M::info.one_step)
+    if (offers_project(problem))
+      return refused(
+          "projection: needs a one-step method; the history of this one is of states "
+          "before their projection");
   if (request.mode == Mode::fixed) {
     if constexpr (M::info.fixed_step)
       return run_fixed<typename M::template Stepper<P>>(problem, t0, y0, request);

@@ -42,10 +42,21 @@ bool find_roots(Graph& graph, const std::vector<Id>& roots, Real t, std::vector<
                 const std::vector<std::size_t>& unknown) {
   for (int iteration = 0; iteration < 100; ++iteration) {
     const Linearised at = linearise(graph, roots, t, y, unknown);
+    const std::size_t n = unknown.size();
     std::vector<Real> change = at.values;
-    linear::Lu<Real> slopes(unknown.size());
-    for (std::size_t k = 0; k < unknown.size(); ++k)
-      std::ranges::copy(at.slopes[k], slopes.data() + k * unknown.size());
+    linear::Lu<Real> slopes(n);
+    if (roots.size() == n) {
+      for (std::size_t k = 0; k < n; ++k) std::ranges::copy(at.slopes[k], slopes.data() + k * n);
+    } else {
+      std::fill(slopes.data(), slopes.data() + n * n, 0);
+      change.assign(n, 0);
+      for (std::size_t row = 0; row < roots.size(); ++row)
+        for (std::size_t i = 0; i < n; ++i) {
+          change[i] += at.slopes[row][i] * at.values[row];
+          for (std::size_t j = 0; j < n; ++j)
+            slopes.data()[i * n + j] += at.slopes[row][i] * at.slopes[row][j];
+        }
+    }
     if (!slopes.factorise()) return false;
     slopes.solve(change.data());
     Real largest = 0;
@@ -56,6 +67,12 @@ bool find_roots(Graph& graph, const std::vector<Id>& roots, Real t, std::vector<
       largest = std::max(largest, std::abs(change[k]) / std::max(std::abs(value), 1e-300L));
     }
     if (largest < 1e-17L) return true;
+    // A component that cancels out of large terms keeps changing; its equations are met to
+    // rounding.
+    bool met = iteration > 0;
+    for (std::size_t i = 0; i < roots.size(); ++i)
+      met = met && std::abs(at.values[i]) <= 1e-18L * at.sizes[i];
+    if (met) return true;
     // At rounding the changes no longer fall.
     if (iteration > 30 && largest < 1e-14L) return true;
   }

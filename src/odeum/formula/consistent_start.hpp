@@ -18,7 +18,8 @@ Linearised linearise(Graph& graph, const std::vector<Id>& roots, long double t,
                      const std::vector<long double>& y, const std::vector<std::size_t>& by);
 
 /// Newton's method for the zeros of as many expressions as there are states `unknown`, from their
-/// values in y on; false where it does not converge.
+/// values in y on; of more expressions the method of Gauss and Newton, whose result need not be a
+/// zero of all. False where it does not converge.
 bool find_roots(Graph& graph, const std::vector<Id>& roots, long double t,
                 std::vector<long double>& y, const std::vector<std::size_t>& unknown);
 

@@ -124,7 +124,10 @@ std::shared_ptr<const ImplicitForm> implicit_form(const Problem& problem) {
                    .residual = [text](double t, const double* y, const double* rates,
                                       double* r) { text->get().residual(t, y, rates, r); },
                    .matrix = [text](double t, const double* y, const double* rates, double alpha,
-                                    double* j) { text->get().matrix(t, y, rates, alpha, j); }});
+                                    double* j) { text->get().matrix(t, y, rates, alpha, j); },
+                   .constraints = constraints_of(problem),
+                   .index = problem.index,
+                   .indices = problem.indices});
 }
 
 }  // namespace odeum::formula

@@ -28,6 +28,13 @@ struct Output {
   Id value = no_node;
 };
 
+/// A constraint on states, or what its derivatives say of them: zero along the solution.
+struct StateConstraint {
+  std::string name;  ///< as in `constraint 1, differentiated twice`
+  Id value = no_node;
+  bool is_hidden = false;
+};
+
 /// An initial value problem that was read from a file: y' = equations, all in one graph.
 struct Problem {
   std::string file, name;
@@ -64,6 +71,10 @@ struct Problem {
   /// R(t, y, y') = 0 where not all rates could be solved for, one for each state, constraints among
   /// them, with the rates as the states from first_rate on (formula/reduction.hpp); empty: none.
   std::vector<Id> residuals;
+  std::vector<StateConstraint> constraints;  ///< those that are given, then hidden ones
+  int index = 0;                             ///< of the constraints; 0: there are none
+  std::vector<int> indices;                  ///< of the states; empty: 1
+  std::string jumps;  ///< why states jump with a constraint; empty: none was found that does
   /// What people read of residuals, in place of which `equations` stand: names and texts.
   std::vector<std::pair<std::string, std::string>> notes;
 };
@@ -79,7 +90,7 @@ enum class Parameters { numbers, names };
 
 /// Reads a problem file (cases/problems/README.md has the format). Throws InputError with the place
 /// for every mistake: an unknown name or key, a state without an equation, a definition that needs
-/// a later one, residuals that are too few, of an index above 1, or that the start does not fulfil,
+/// a later one, residuals that are too few, of an index above 3, or that the start does not fulfil,
 /// what the limits of formula/parser.hpp exclude, an equation that is not finite at the start, an
 /// `exact` that does not fulfil the equations or the initial values, an invariant that changes at
 /// the start, an event that does nothing, or two that contradict each other.

@@ -16,7 +16,7 @@ constexpr std::string_view known_keys[] = {
     "name",         "parameters", "definitions", "states", "equations", "boundaries",
     "time",         "exact",      "invariants",  "scale",  "tolerance", "mass",
     "residuals",    "rates",      "implicit",    "case",   "cases",     "reactions",
-    "compartments", "outputs",    "events",      "tables", "inputs"};
+    "compartments", "outputs",    "events",      "tables", "inputs",    "constraints"};
 
 }  // namespace
 
@@ -44,7 +44,7 @@ Problem Reader::read() {
   read_inputs(all);
   read_definitions(all);
   read_boundaries(all);
-  if (section("residuals"))
+  if (is_implicit())
     read_residuals(all);
   else
     read_equations(all);

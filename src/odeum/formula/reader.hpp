@@ -154,16 +154,26 @@ class Reader : Source {
   void apply_mass(const std::vector<std::size_t>& at,
                   const std::vector<std::vector<long double>>& m,
                   const std::vector<std::vector<long double>>& inverse, Scope& scope);
-  /// Solves residuals for the rates of all states: reader_residuals.cpp.
+  /// Solves residuals, or equations with constraints, for the rates of all states:
+  /// reader_residuals.cpp, and reader_constraints.cpp for what follows from the reduction.
   void read_residuals(const Scope& scope);
+  bool is_implicit() const { return section("residuals") || section("constraints"); }
   std::vector<Id> residuals_of(const Scope& all);
+  std::vector<Id> equations_and_constraints(const Scope& scope);
+  void read_residual_list(const char* in, const char* one, const Scope& scope,
+                          std::vector<Id>& residuals);
   void add_rates_as_states(std::vector<Id>& residuals);
+  void require_determined(const std::vector<Id>& residuals) const;
   void find_start(const std::vector<Constraint>& constraints);
   void require_constraints(const std::vector<Constraint>& constraints);
   void require_rates();
+  void note_constraint(const Reduction& reduction, const Constraint& constraint);
   void note_residuals(const Reduction& reduction);
-  /// `residual 2` or `residuals 1 and 2 together`.
-  std::string name_of(const std::set<std::size_t>& residuals) const;
+  void find_jumps();
+  /// The largest magnitude of the constraints, and of hidden ones, as outputs.
+  void add_drift();
+  /// `residual 2` or `residuals 1, 2 together`; of a hidden one how it follows.
+  std::string name_of(const Constraint& constraint) const;
   Place place_of_residual(std::size_t residual) const;
   /// What happens at times, or where expressions cross zero: reader_events.cpp.
   void read_events(const Scope& scope);
@@ -200,6 +210,7 @@ class Reader : Source {
   std::map<std::string, std::int64_t> first_of_;  ///< of indexed states
   std::set<std::size_t> unknown_;                 ///< states whose start follows from constraints
   std::vector<Place> residual_places_;
+  std::vector<std::string> residual_names_;  ///< `residual 2`
   std::vector<Compartment> compartments_;
   std::vector<std::size_t> compartment_of_;  ///< by state
   std::size_t given_states_ = 0;             ///< before rates were added to them

@@ -5,37 +5,42 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/formula/consistent_start.hpp"
 #include "odeum/formula/reader.hpp"
 
 namespace odeum::formula::reading {
 
 using Real = long double;
 
-std::string Reader::name_of(const std::set<std::size_t>& residuals) const {
-  std::vector<std::size_t> numbers;
-  for (const std::size_t k : residuals)
-    if (k < residual_places_.size()) numbers.push_back(k + 1);
-  return numbers.size() == 1 ? fmt::format("residual {}", numbers.front())
-                             : fmt::format("residuals {} together", fmt::join(numbers, ", "));
+Place Reader::place_of_residual(std::size_t residual) const {
+  return residual < residual_places_.size()
+             ? residual_places_[residual]
+             : section(section("residuals") ? "residuals" : "constraints")->value->place;
 }
 
-Place Reader::place_of_residual(std::size_t residual) const {
-  return residual < residual_places_.size() ? residual_places_[residual]
-                                            : section("residuals")->value->place;
+void Reader::read_residual_list(const char* in, const char* one, const Scope& scope,
+                                std::vector<Id>& residuals) {
+  const YamlNode& list = *section(in)->value;
+  if (list.kind != YamlNode::Kind::sequence || list.items.empty())
+    fail(list.place,
+         "{}: got {}, expected a list of expressions, each zero along the "
+         "solution",
+         in, list.kind_name());
+  std::size_t number = 0;
+  for (const auto& each : list.items) {
+    residual_places_.push_back(each->place);
+    residual_names_.push_back(fmt::format("{} {}", one, ++number));
+    residuals.push_back(
+        expression({fmt::format("{}: {}", in, number), each->place, each.get()}, "", scope));
+    problem_.equations_text += (residuals.size() == 1 ? "0 = " : ", 0 = ") + each->text;
+  }
 }
 
 // The rate of a state that is among the states is that state.
 std::vector<Id> Reader::residuals_of(const Scope& all) {
   const YamlNode& list = *section("residuals")->value;
-  for (const char* other : {"equations", "mass", "reactions"})
+  for (const char* other : {"equations", "mass", "reactions", "constraints"})
     if (const Item* const item = section(other))
       fail(item->key_place, "{0}: beside residuals; got both, expected the residuals alone", other);
-  if (list.kind != YamlNode::Kind::sequence || list.items.empty())
-    fail(list.place,
-         "residuals: got {}, expected a list of expressions, each zero along the "
-         "solution",
-         list.kind_name());
   Graph& graph = problem_.graph;
   Scope scope = all;
   std::vector<Id> definitions;
@@ -56,13 +61,7 @@ std::vector<Id> Reader::residuals_of(const Scope& all) {
   scope.arrays.insert(rates.begin(), rates.end());
   const std::size_t expected = problem_.states.size() - definitions.size();
   std::vector<Id> residuals;
-  for (const auto& each : list.items) {
-    residual_places_.push_back(each->place);
-    residuals.push_back(
-        expression({fmt::format("residuals: {}", residual_places_.size()), each->place, each.get()},
-                   "", scope));
-    problem_.equations_text += (residuals.size() == 1 ? "0 = " : ", 0 = ") + each->text;
-  }
+  read_residual_list("residuals", "residual", scope, residuals);
   if (residuals.size() != expected)
     fail(list.place,
          "residuals: {} {}; got {}, expected {}: one for each state whose rate is not a "
@@ -70,6 +69,40 @@ std::vector<Id> Reader::residuals_of(const Scope& all) {
          std::max(expected, residuals.size()) - std::min(expected, residuals.size()),
          residuals.size() < expected ? "short" : "too many", residuals.size(), expected);
   residuals.insert(residuals.end(), definitions.begin(), definitions.end());
+  return residuals;
+}
+
+std::vector<Id> Reader::equations_and_constraints(const Scope& scope) {
+  for (const char* other : {"mass", "reactions", "implicit"})
+    if (const Item* const item = section(other))
+      fail(item->key_place, "{0}: beside constraints; got both, expected equations and constraints",
+           other);
+  Graph& graph = problem_.graph;
+  std::vector<Place> places;
+  const std::vector<Id> equations = read_by_state("equations", scope, places);
+  std::vector<Id> residuals;
+  std::vector<std::string> without;
+  for (std::uint32_t k = 0; k < equations.size(); ++k) {
+    if (equations[k] == no_node) {
+      without.push_back(problem_.states[k]);
+      continue;
+    }
+    residuals.push_back(graph.make(Op::subtract, graph.state(first_rate + k), equations[k]));
+    residual_places_.push_back(places[k]);
+    residual_names_.push_back("the equation of " + problem_.states[k]);
+  }
+  for (const Item& item : items("equations"))
+    problem_.equations_text +=
+        fmt::format("{}{}' = {}", problem_.equations_text.empty() ? "" : ", ", item.key,
+                    item.value->text.size() > 200 ? "..." : item.value->text);
+  const std::size_t given = residuals.size();
+  read_residual_list("constraints", "constraint", scope, residuals);
+  if (residuals.size() != equations.size())
+    fail(
+        section("constraints")->value->place,
+        "constraints: got {}, expected {}: one for each state without an equation{}",
+        residuals.size() - given, without.size(),
+        without.empty() || without.size() > 8 ? "" : fmt::format(", {}", fmt::join(without, ", ")));
   return residuals;
 }
 
@@ -92,48 +125,27 @@ void Reader::add_rates_as_states(std::vector<Id>& residuals) {
     residuals.push_back(graph.make(Op::subtract, graph.state(rate), state));
 }
 
-void Reader::find_start(const std::vector<Constraint>& constraints) {
-  const std::vector<std::size_t> unknown(unknown_.begin(), unknown_.end());
-  if (unknown.empty()) return;
-  std::vector<Id> roots;
-  for (const Constraint& constraint : constraints)
-    for (const Id id : problem_.graph.needed({constraint.value})) {
-      const Node& node = problem_.graph[id];
-      if (node.op != Op::state || !unknown_.contains(node.index)) continue;
-      roots.push_back(constraint.value);
-      break;
-    }
-  if (roots.size() != unknown.size())
-    fail(section("states")->value->place,
-         "states: {} of unknown start; got {} constraints on them, expected as many",
-         unknown.size(), roots.size());
-  const std::vector<Real> given = problem_.y0;
-  for (const Real guess : {0.L, 1.L, -1.L, 0.1L, 10.L}) {
-    std::vector<Real> y = given;
-    for (const std::size_t k : unknown)
-      if (y[k] == 0) y[k] = guess;
-    if (!find_roots(problem_.graph, roots, problem_.t0, y, unknown)) continue;
-    problem_.y0 = y;
-    for (const std::size_t k : unknown) problem_.start[k] = problem_.graph.constant(y[k]);
-    return;
+void Reader::require_determined(const std::vector<Id>& residuals) const {
+  std::vector<bool> occurs(problem_.states.size());
+  for (const Id id : problem_.graph.needed(residuals)) {
+    const Node& node = problem_.graph[id];
+    if (node.op == Op::state)
+      occurs[node.index >= first_rate ? node.index - first_rate : node.index] = true;
   }
-  fail(section("residuals")->value->place,
-       "residuals: no start was found for {}; got none by Newton's method from several guesses, "
-       "expected values among the states",
-       problem_.states[unknown.front()]);
-}
-
-void Reader::require_constraints(const std::vector<Constraint>& constraints) {
-  constexpr Real rounding = 1e-12L;
-  for (const Constraint& constraint : constraints) {
-    const Linearised at =
-        linearise(problem_.graph, {constraint.value}, problem_.t0, problem_.y0, {});
-    if (std::abs(at.values[0]) <= rounding * at.sizes[0]) continue;
-    fail(place_of_residual(*constraint.of.begin()),
-         "residuals: {}, a constraint, {} not zero at the start; got {:.9Lg}, expected 0: another "
-         "start, or ~ for a state that is to be found",
-         name_of(constraint.of), constraint.of.size() > 1 ? "are" : "is", at.values[0]);
-  }
+  for (std::size_t i = 0; i < residual_places_.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (residuals[i] == residuals[k])
+        fail(
+            residual_places_[i],
+            "{0}: {1}: written twice; got the expression of {2} again, expected an independent one",
+            section("residuals") ? "residuals" : "constraints", residual_names_[i],
+            residual_names_[k]);
+  for (std::size_t k = 0; k < occurs.size(); ++k)
+    if (!occurs[k])
+      fail(group_places_.at(problem_.states[k].substr(0, problem_.states[k].find('['))),
+           "states: one that nothing determines; got {0} in none of the {1}, expected it, or its "
+           "rate, in one of them",
+           problem_.states[k], section("residuals") ? "residuals" : "equations and constraints");
 }
 
 void Reader::require_rates() {
@@ -157,49 +169,17 @@ void Reader::require_rates() {
     if (std::abs(value - found[k]) <= agreement * std::max(std::abs(value), std::abs(found[k])))
       continue;
     fail(places[k],
-         "rates: {}: not what residual {} says at the start; got {:.9Lg}, expected "
+         "rates: {}: not what {} says at the start; got {:.9Lg}, expected "
          "{:.9Lg}",
-         problem_.states[k], residual_of_[k] + 1, value, found[k]);
+         problem_.states[k], residual_names_.at(residual_of_[k]), value, found[k]);
   }
-}
-
-void Reader::note_residuals(const Reduction& reduction) {
-  const std::size_t count = residual_places_.size();
-  if (reduction.constraints.empty()) {
-    problem_.notes.emplace_back(
-        "residuals",
-        fmt::format("{}, solved for all rates: an ordinary problem, which every solver takes",
-                    count));
-    return;
-  }
-  const bool implicit = problem_.states.size() > given_states_;
-  for (const Constraint& constraint : reduction.constraints) {
-    std::vector<std::string> gives;
-    for (std::size_t k = 0; k < problem_.states.size(); ++k)
-      if (reduction.by[k] == constraint.own) gives.push_back(problem_.states[k] + "'");
-    const std::size_t first = *constraint.of.begin();
-    bool is_rate = false;
-    for (const Id id : problem_.graph.needed({constraint.value}))
-      is_rate = is_rate ||
-                (problem_.graph[id].op == Op::state && problem_.graph[id].index >= given_states_);
-    problem_.notes.emplace_back(
-        "residuals",
-        is_rate && first < count
-            ? fmt::format("{} cannot be solved for its rate in symbols: the rate is a state too",
-                          name_of(constraint.of))
-            : fmt::format("{}: a constraint without rates, index 1; its derivative gives {}",
-                          name_of(constraint.of), fmt::join(gives, ", ")));
-  }
-  problem_.notes.emplace_back(
-      "residuals", fmt::format("{} of {} are differentiated once, so that every solver of ordinary "
-                               "problems takes them; what a run lets {} drift is part of its error",
-                               reduction.constraints.size(), count,
-                               implicit ? "the residuals" : "the constraints"));
 }
 
 void Reader::read_residuals(const Scope& scope) {
   given_states_ = problem_.states.size();
-  std::vector<Id> residuals = residuals_of(scope);
+  std::vector<Id> residuals =
+      section("residuals") ? residuals_of(scope) : equations_and_constraints(scope);
+  require_determined(residuals);
   add_rates_as_states(residuals);
   std::vector<Place> unused;
   const std::vector<Id> guesses = read_by_state("rates", constants_, unused);
@@ -208,25 +188,32 @@ void Reader::read_residuals(const Scope& scope) {
       if (guesses[k] != no_node && problem_.states[added] == problem_.states[k] + "'")
         problem_.y0[added] = problem_.graph[guesses[k]].value;
   try {
-    const std::vector<Constraint> constraints =
-        constraints_of(problem_.graph, residuals, problem_.states, problem_.t0, problem_.y0);
-    find_start(constraints);
-    require_constraints(constraints);
-    const Reduction reduction =
-        reduce(problem_.graph, residuals, problem_.states, problem_.t0, problem_.y0);
+    const auto reduced = [&](bool is_start) {
+      return reduce(problem_.graph, residuals, problem_.states, problem_.t0, problem_.y0, is_start);
+    };
+    find_start(reduced(unknown_.empty()).constraints);
+    const Reduction reduction = reduced(true);
+    require_constraints(reduction.constraints);
     problem_.equations = reduction.rates;
+    problem_.index = reduction.index;
+    if (reduction.index > 1) problem_.indices = indices_of(reduction, problem_.graph);
     residual_of_ = reduction.by;
     // A constraint that is a difference of residuals is lost in the rounding of their rates where
     // steps are short: it stands in place of one of them.
     if (!reduction.constraints.empty()) problem_.residuals = residuals;
-    for (const Constraint& constraint : reduction.constraints)
-      problem_.residuals[constraint.own] = constraint.value;
+    for (const Constraint& constraint : reduction.constraints) {
+      if (constraint.level == 0) problem_.residuals[constraint.own] = constraint.value;
+      problem_.constraints.push_back({name_of(constraint), constraint.value, constraint.level > 0});
+    }
     for (const std::size_t by : reduction.by) problem_.places.push_back(place_of_residual(by));
     note_residuals(reduction);
+    find_jumps();
+    add_drift();
     require_rates();
   } catch (const ReductionError& error) {
-    fail(place_of_residual(error.residual()), "residuals: {}: {}", name_of({error.residual()}),
-         error.what());
+    const std::size_t at = error.residual();
+    fail(place_of_residual(at), "{}: {}: {}", section("residuals") ? "residuals" : "constraints",
+         name_of({.value = no_node, .of = {at}, .own = at}), error.what());
   }
 }
 

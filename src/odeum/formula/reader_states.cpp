@@ -23,7 +23,7 @@ std::string on_one_line(std::string text) {
 void Reader::add_state(const Item& item, const std::string& name) {
   if (problem_.states.size() >= most_states)
     fail(item.key_place, "states: too many; got more than {}, expected at most that", most_states);
-  if (item.value->kind == YamlNode::Kind::null && section("residuals")) {
+  if (item.value->kind == YamlNode::Kind::null && is_implicit()) {
     unknown_.insert(problem_.states.size());
     problem_.start.push_back(problem_.graph.constant(0));
   } else {
@@ -196,6 +196,7 @@ void Reader::read_outputs(const Scope& scope) {
   else
     all = items("outputs");
   std::set<std::string> names(problem_.states.begin(), problem_.states.end());
+  for (const Output& output : problem_.outputs) names.insert(output.name);
   for (const Item& item : all) {
     // Taken words may name a column: nothing refers to it.
     if (item.key.empty() || !begins_name(item.key[0]) ||

@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "odeum/formula/evaluator.hpp"
 
@@ -15,8 +19,9 @@ namespace {
 
 using Real = long double;
 
-/// The first is at (t, y), the others are nearby: a factor that is zero at all of them is zero.
-constexpr std::size_t samples = 4;
+/// The first is at (t, y), those after it are nearby: a factor that is zero at all of these is
+/// zero. The others are farther off, and tell which factors a solution may carry through zero.
+constexpr std::size_t near = 4, samples = 12;
 
 /// An expression with its values at the samples.
 struct Term {
@@ -34,9 +39,10 @@ struct Row {
 
 class Elimination {
  public:
+  /// `is_start`: (t, y) is where the solution starts, and not a guess of that.
   Elimination(Graph& graph, const std::vector<std::string>& names, Real t,
-              const std::vector<Real>& y)
-      : graph_(graph), names_(names) {
+              const std::vector<Real>& y, bool is_start)
+      : graph_(graph), names_(names), is_start_(is_start) {
     times_[0] = t;
     states_[0] = y;
     std::uint32_t seed = 1;
@@ -46,7 +52,9 @@ class Elimination {
         return static_cast<Real>(seed) / 4294967296.0L;
       };
       times_[s] = t + random() / 16;
-      for (const Real value : y) states_[s].push_back(value * (1 + random() / 64) + random() / 64);
+      for (const Real value : y)
+        states_[s].push_back(s < near ? value * (1 + random() / 64) + random() / 64
+                                      : value * (0.5L + random()) + 4 * random() - 2);
     }
   }
 
@@ -70,7 +78,12 @@ class Elimination {
     Reduction result{.rates = std::vector<Id>(names_.size(), no_node),
                      .constraints = take_all(residuals),
                      .by = std::vector<std::size_t>(names_.size())};
-    for (const Constraint& constraint : result.constraints) differentiate(constraint);
+    // One level comes before the next, since a constraint may need the rates of others.
+    for (std::size_t k = 0; k < result.constraints.size(); ++k) {
+      if (std::optional<Constraint> hidden = differentiate(result.constraints[k]))
+        result.constraints.push_back(std::move(*hidden));
+      result.index = std::max(result.index, result.constraints[k].level + 1);
+    }
     for (std::size_t k = done_.size(); k-- > 0;) substitute(done_[k], pivots_[k], result);
     return result;
   }
@@ -118,24 +131,28 @@ class Elimination {
   /// Whether a term is rounding of numbers of these sizes.
   static bool is_zero(const Term& term, const std::array<Real, samples>& sizes) {
     constexpr Real rounding = 1e-16L;
-    for (std::size_t s = 0; s < samples; ++s)
-      if (!(std::abs(term.at[s]) <= rounding * std::abs(sizes[s]))) return false;
-    return true;
+    bool found = false;  // beyond the domain of a function there is no value
+    for (std::size_t s = 0; s < near; ++s) {
+      if (!std::isfinite(term.at[s])) continue;
+      if (std::abs(term.at[s]) > rounding * std::abs(sizes[s])) return false;
+      found = true;
+    }
+    return found;
   }
 
   /// x <- x - factor * y; false where zero is left.
   bool subtract(Term& x, const Term& factor, const Term& y) {
-    const Id product = graph_.make(Op::multiply, factor.node, y.node);
+    const bool negated = graph_[y.node].op == Op::negate;
+    const Id product =
+        graph_.make(Op::multiply, factor.node, negated ? graph_[y.node].of[0] : y.node);
     std::array<Real, samples> sizes{};
     for (std::size_t s = 0; s < samples; ++s) {
       const Real by = factor.at[s] * y.at[s];
       sizes[s] = std::abs(x.at[s]) + std::abs(by);
       x.at[s] -= by;
     }
-    if (x.node == no_node)
-      x.node = graph_.make(Op::negate, product);
-    else
-      x.node = graph_.make(Op::subtract, x.node, product);
+    if (x.node == no_node) x.node = graph_.constant(0);
+    x.node = graph_.make(negated ? Op::add : Op::subtract, x.node, product);
     return !is_zero(x, sizes);
   }
 
@@ -157,16 +174,42 @@ class Elimination {
     }
   }
 
-  /// Adds a row, which gives one of its rates: one with a constant factor, else with the largest.
+  /// Least over largest magnitude at the samples; 0 where the sign changes. A pivot that a solution
+  /// carries through zero ends a run there.
+  static Real steadiness(const Term& term) {
+    Real low = std::numeric_limits<Real>::infinity(), high = -low;
+    for (const Real value : term.at) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    if (!(low > 0 || high < 0)) return 0;
+    return low > 0 ? low / high : high / low;
+  }
+  /// At the start, nearby where that is not known yet.
+  Real size_of_factor(const Term& term) const {
+    Real size = std::abs(term.at[0]);
+    for (std::size_t s = 1; s < near && !is_start_; ++s)
+      if (!(size >= std::abs(term.at[s]))) size = std::abs(term.at[s]);
+    return size;
+  }
+
+  /// Adds a row, which gives one of its rates: one with a constant factor, else with the steadiest
+  /// one, else with the largest.
   void take(Row row) {
-    const auto better = [&](const auto& a, const auto& b) {
-      const bool constant_a = graph_.is_constant(a.second.node),
-                 constant_b = graph_.is_constant(b.second.node);
-      if (constant_a != constant_b) return constant_b;
-      return std::abs(a.second.at[0]) < std::abs(b.second.at[0]);
+    Real largest = 0;
+    for (const auto& [column, term] : row.of) largest = std::max(largest, size_of_factor(term));
+    const auto rank = [&](const Term& term) {
+      constexpr Real little = 1e-9L;
+      const Real size = size_of_factor(term);
+      const bool counts = size > little * largest;
+      return std::tuple(counts && graph_.is_constant(term.node), counts ? steadiness(term) : 0,
+                        size);
     };
-    const auto pivot = std::ranges::max_element(row.of, better);
-    if (!(std::abs(pivot->second.at[0]) > 0) || !std::isfinite(pivot->second.at[0]))
+    const auto pivot = std::ranges::max_element(
+        row.of, [&](const auto& a, const auto& b) { return rank(a.second) < rank(b.second); });
+    const Real size = size_of_factor(pivot->second);
+    if (!(size > 0) || !std::isfinite(size))
       throw ReductionError(
           row.own, fmt::format("the factor of {}' is {} at the start, so that no rate "
                                "follows; expected another start, or another residual",
@@ -175,29 +218,54 @@ class Elimination {
     done_.push_back(std::move(row));
   }
 
-  /// Adds the derivative of a constraint along the solution.
-  void differentiate(const Constraint& constraint) {
-    const std::size_t own = constraint.own;
+  /// Adds the derivative of a constraint along the solution; where that has no rate either, it is
+  /// another constraint.
+  std::optional<Constraint> differentiate(const Constraint& constraint) {
     const auto gradient = gradients(graph_, {constraint.value}, 2 * first_rate).front();
-    Row row{.of = {}, .rest = {}, .residuals = constraint.of, .own = own};
+    Row row{.of = {}, .rest = {}, .residuals = constraint.of, .own = constraint.own};
     add_entries(row, gradient, 0);
     const bool by_time = !gradient.empty() && gradient.back().by == 2 * first_rate;
     row.rest = terms_of({by_time ? gradient.back().value : graph_.constant(0)}).front();
-    if (row.of.empty())
-      throw ReductionError(own,
-                           "it has neither a rate nor a state once the others are used: it follows "
-                           "from them, or contradicts them; expected an independent one for each "
-                           "state");
+    if (row.of.empty()) throw ReductionError(constraint.own, why_without_states(constraint));
     eliminate(row);
-    if (!row.of.empty()) return take(std::move(row));
-    std::vector<std::string> undetermined;
+    if (!row.of.empty()) {
+      take(std::move(row));
+      return std::nullopt;
+    }
+    if (graph_.is(row.rest.node, 0))
+      throw ReductionError(
+          constraint.own,
+          fmt::format("after {} it says nothing new: it follows from the others, or is one of them "
+                      "again; expected an independent one for each state",
+                      derivatives(constraint.level + 1)));
+    if (constraint.level + 1 == highest_index)
+      throw ReductionError(
+          constraint.own,
+          fmt::format("a constraint of an index above {0}: it and {1} say nothing of {2}; expected "
+                      "an index of {0} at most: another unknown, or another constraint",
+                      highest_index, derivatives(highest_index), fmt::join(undetermined(), ", ")));
+    return Constraint{.value = row.rest.node,
+                      .of = std::move(row.residuals),
+                      .own = constraint.own,
+                      .level = constraint.level + 1};
+  }
+  std::string why_without_states(const Constraint& constraint) const {
+    const std::string which = constraint.level == 0 ? "it" : derivatives(constraint.level);
+    if (!graph_.is_constant(constraint.value) || graph_.is(constraint.value, 0))
+      return "it has neither a rate nor a state once the others are used: it follows from them, or "
+             "contradicts them; expected an independent one for each state";
+    return fmt::format(
+        "{} says that 0 = {:.9Lg}, whatever the states are; expected what they fulfil", which,
+        graph_[constraint.value].value);
+  }
+  static std::string derivatives(int count) {
+    return count == 1 ? "its derivative" : fmt::format("{} derivatives", count);
+  }
+  std::vector<std::string> undetermined() const {
+    std::vector<std::string> all;
     for (std::uint32_t k = 0; k < names_.size(); ++k)
-      if (std::ranges::find(pivots_, k) == pivots_.end()) undetermined.push_back(names_[k]);
-    throw ReductionError(
-        own, fmt::format("a constraint of an index above 1: it and its derivative say nothing of "
-                         "{}; expected index 1: differentiate this residual, put the rates of the "
-                         "others in, and state that in its place",
-                         fmt::join(undetermined, ", ")));
+      if (std::ranges::find(pivots_, k) == pivots_.end()) all.push_back(names_[k]);
+    return all;
   }
 
   /// The rate that a row gives, where those of later rows are known.
@@ -214,6 +282,7 @@ class Elimination {
 
   Graph& graph_;
   const std::vector<std::string>& names_;
+  bool is_start_;
   std::array<Real, samples> times_{};
   std::array<std::vector<Real>, samples> states_;
   std::vector<Row> done_;
@@ -222,49 +291,10 @@ class Elimination {
 
 }  // namespace
 
-std::set<std::uint32_t> nonlinear_rates(Graph& graph, const std::vector<Id>& residuals) {
-  std::set<std::uint32_t> found;
-  for (const auto& row : gradients(graph, residuals, 2 * first_rate))
-    for (const Entry& entry : row) {
-      if (entry.by < first_rate || entry.by == 2 * first_rate) continue;
-      for (const Id id : graph.needed({entry.value}))
-        if (graph[id].op == Op::state && graph[id].index >= first_rate)
-          found.insert(entry.by - first_rate);
-    }
-  return found;
-}
-
-std::vector<Id> with_states_replaced(Graph& graph, const std::vector<Id>& roots,
-                                     const std::map<std::uint32_t, Id>& by) {
-  std::map<Id, Id> made;
-  for (const Id id : graph.needed(roots)) {
-    const Node node = graph[id];
-    Id now = id;
-    if (node.op == Op::state) {
-      if (const auto found = by.find(node.index); found != by.end()) now = found->second;
-    } else if (!is_leaf(node.op)) {
-      std::array<Id, 3> of = node.of;
-      for (Id& each : of)
-        if (each != no_node) each = made.at(each);
-      if (of != node.of) now = graph.make(node.op, of[0], of[1], of[2]);
-    }
-    made[id] = now;
-  }
-  std::vector<Id> replaced;
-  for (const Id root : roots) replaced.push_back(made.at(root));
-  return replaced;
-}
-
-std::vector<Constraint> constraints_of(Graph& graph, const std::vector<Id>& residuals,
-                                       const std::vector<std::string>& names, long double t,
-                                       const std::vector<long double>& y) {
-  return Elimination(graph, names, t, y).take_all(residuals);
-}
-
 Reduction reduce(Graph& graph, const std::vector<Id>& residuals,
                  const std::vector<std::string>& names, long double t,
-                 const std::vector<long double>& y) {
-  return Elimination(graph, names, t, y).solve(residuals);
+                 const std::vector<long double>& y, bool is_start) {
+  return Elimination(graph, names, t, y, is_start).solve(residuals);
 }
 
 }  // namespace odeum::formula

@@ -21,14 +21,19 @@ struct Constraint {
   Id value = no_node;
   std::set<std::size_t> of;  ///< the residuals, by their place in the list
   std::size_t own = 0;       ///< the one among them that it may stand in place of
+  int level = 0;             ///< how often that was differentiated for it; 0: it is not hidden
 };
+
+/// How often a constraint is differentiated at most, until the rates of all states follow.
+inline constexpr int highest_index = 3;
 
 /// What follows from residuals.
 struct Reduction {
-  std::vector<Id> rates;  ///< by state, of t and y
-  std::vector<Constraint> constraints;
+  std::vector<Id> rates;                ///< by state, of t and y
+  std::vector<Constraint> constraints;  ///< by their level
   std::vector<std::size_t> by;  ///< by state: the residual that gives its rate, or whose derivative
                                 ///< does
+  int index = 0;                ///< 0: there are no constraints
 };
 
 /// Why there is none: `residual` is the place in the list of the one that is to blame.
@@ -49,19 +54,19 @@ std::set<std::uint32_t> nonlinear_rates(Graph& graph, const std::vector<Id>& res
 std::vector<Id> with_states_replaced(Graph& graph, const std::vector<Id>& roots,
                                      const std::map<std::uint32_t, Id>& by);
 
-/// The constraints among residuals that are linear in the rates of the states `names`; (t, y) as in
-/// reduce(). Throws ReductionError.
-std::vector<Constraint> constraints_of(Graph& graph, const std::vector<Id>& residuals,
-                                       const std::vector<std::string>& names, long double t,
-                                       const std::vector<long double>& y);
-
 /// Solves residuals that are linear in the rates of the states `names` for these: those with rates
-/// by elimination, constraints by their derivative along the solution (index 1). Whether a factor
-/// is zero is decided by values in extended precision at (t, y) and nearby. Throws ReductionError
-/// where the index is higher, a residual follows from others or contradicts them, or a rate is
-/// multiplied by zero at (t, y).
+/// by elimination, constraints by differentiation along the solution. A derivative without rates is
+/// a hidden constraint, which is differentiated again (Hairer, Wanner, Solving ODEs II, VII.1).
+/// Whether a factor is zero is decided by values in extended precision at (t, y) and nearby. Throws
+/// ReductionError where the index is above highest_index, a residual follows from others or
+/// contradicts them, or a rate is multiplied by zero at (t, y); without `is_start`, nearby, too.
 Reduction reduce(Graph& graph, const std::vector<Id>& residuals,
                  const std::vector<std::string>& names, long double t,
-                 const std::vector<long double>& y);
+                 const std::vector<long double>& y, bool is_start = true);
+
+/// The index of each state, see ImplicitForm. Of one with a rate of its own by the first constraint
+/// which it is in, of those that hidden ones follow from, of others by the last; these have the
+/// same in one constraint.
+std::vector<int> indices_of(const Reduction& reduction, const Graph& graph);
 
 }  // namespace odeum::formula

@@ -21,6 +21,8 @@ std::string print_c(const Problem& problem, const Analysis& analysis);
 /// The residuals of a problem with their derivatives as compiled code, interpreted where there is
 /// no compiler; null where the problem has none that stay implicit.
 std::shared_ptr<const ImplicitForm> implicit_form(const Problem& problem);
+/// The constraints of a problem with their exact derivatives, interpreted.
+Constraints constraints_of(const Problem& problem);
 
 /// A problem that was read from text, with all that was found in it, as compiled code; interpreted
 /// where there is no compiler. Its derivatives are finite wherever the equations are, see

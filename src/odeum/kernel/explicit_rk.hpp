@@ -57,6 +57,8 @@ class ExplicitRungeKutta {
   }
   /// The last step was rejected: the next one starts from the same state.
   void repeat() { first_known_ = true; }
+  /// The state was changed after the last step.
+  void forget() { first_known_ = false; }
 
   /// h sum_i row_i k_i over the stages of the last step, before advance(): another row's estimate,
   /// or the term that an interpolant adds to Hermite's (dense_output.hpp).

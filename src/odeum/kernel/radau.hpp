@@ -100,6 +100,12 @@ class RadauStepper {
 
   template <class Guess>
   bool solve_stages(double t, double h, const State<P>& y, Guess&& guess) {
+    // Errors of a state of index k are larger by h^(1 - k) (VII.4).
+    if constexpr (requires { problem_.index_of(std::size_t(0)); }) {
+      scale_by(y);
+      for (std::size_t n = 0; n < y.size(); ++n)
+        inverse_scale_[n] *= power(std::min(h, 1.0), problem_.index_of(n) - 1);
+    }
     const auto attempt = [&] {
       guess();
       system_.transform_guess();

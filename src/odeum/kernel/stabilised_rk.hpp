@@ -70,6 +70,7 @@ class StabilisedRungeKutta {
     first_known_ = true;
     if (steps_left_ < between_estimates - 1) steps_left_ = 0;  // else it is that of this state
   }
+  void forget() { first_known_ = false; }
 
  private:
   static constexpr int between_estimates = 25;

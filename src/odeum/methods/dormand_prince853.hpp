@@ -84,6 +84,7 @@ struct dormand_prince853 : ForAnyProblem, TableauMethod<dormand_prince853_tablea
     }
     void advance() { rk_.advance(); }
     void repeat() { rk_.repeat(); }
+    void forget() { rk_.forget(); }
     const State<P>& first_stage() const { return rk_.first_stage(); }
     State<P>& first_stage() { return rk_.first_stage(); }
 

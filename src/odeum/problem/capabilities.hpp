@@ -36,6 +36,9 @@
 ///   explicitly and a stiff one that they solve for; each fills f, and their sum is the right-hand
 ///   side. `implicit_jacobian` fills j with the derivative of the second, dense and row-major;
 ///   without it that is formed by differences.
+/// - `project` moves y onto the constraints of the problem, the hidden ones among them, by Newton's
+///   method, and returns the number of its iterations, 0 where it failed. Runs of one-step methods
+///   then project after each step.
 // clang-format off
 #define ODEUM_CAPABILITIES(ENTRY)                                                                    \
   ENTRY(WithJacobian, jacobian, jacobian, void(real t, const real* y, real* j))                      \
@@ -55,7 +58,8 @@
   ENTRY(WithImplicitJacobian, implicit_jacobian, jacobian,                                           \
         void(real t, const real* y, real* j))                                                        \
   ENTRY(WithDampingStep, damp, products,                                                             \
-        std::uint64_t(real t, const real* q, real h, real* v, double relative))
+        std::uint64_t(real t, const real* q, real h, real* v, double relative))                      \
+  ENTRY(WithProjection, project, products, std::uint64_t(real t, real* y))
 // clang-format on
 
 namespace odeum {

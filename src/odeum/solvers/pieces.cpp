@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "odeum/solvers/event_run.hpp"
+#include "odeum/solvers/projection.hpp"
 #include "odeum/solvers/run_parts.hpp"
 
 namespace odeum {
@@ -19,6 +20,7 @@ Entrant whole(const Solver& solver, const ErasedContest& contest) {
   Entrant entrant;
   entrant.info = solver.info;
   solver.enroll(contest, entrant);
+  offer_projection(solver, contest, entrant);
   return entrant;
 }
 
@@ -42,6 +44,11 @@ ErasedContest contest_of(const ErasedContest& all, const std::shared_ptr<const P
                                                double alpha, double* j) {
     inner->matrix(piece->clamped(t), y, rates, alpha, j);
   };
+  if (all.implicit->constraints.values)
+    form->constraints.values = [piece, inner = all.implicit](double t, const double* y,
+                                                             double* values) {
+      inner->constraints.values(piece->clamped(t), y, values);
+    };
   contest.implicit = std::move(form);
   return contest;
 }

@@ -36,6 +36,7 @@ class GuardedResiduals {
     if (alpha == 0) guard_.count_jacobian();  // the other is of the same point
     form_.matrix(t, y, rates, alpha, j);
   }
+  int index_of(std::size_t n) const { return form_.indices.empty() ? 1 : form_.indices[n]; }
   bool tripped() const { return guard_.tripped(); }
   /// Whether the kernels iterate as far as rounding allows.
   bool to_rounding() const { return mode_ == Mode::fixed; }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "odeum/judge/constraint_drift.hpp"
 #include "odeum/judge/remarks.hpp"
 #include "odeum/record/rows.hpp"
 #include "odeum/report/report.hpp"
@@ -101,11 +102,17 @@ RunRow row_of(const Case& c, const CaseRun& run) {
     row.negative_value = below.front().value;
     row.negative_time = below.front().time;
   }
+  const judge::ConstraintDrift drift = judge::drift_off_constraints(c, request, run.outcome);
+  row.constraint_drift = drift.given.size;
+  row.hidden_drift = drift.hidden.size;
   if (!row.ok()) {
     row.judged.answer = judge::Answer::none;
     return row;
   }
   row.remarks = judge::remarks(c, request, run.outcome);
+  if (std::string said = judge::remark_on_drift(c, run.entrant->info, request, drift);
+      !said.empty())
+    row.remarks.push_back(std::move(said));
   const judge::Judge judge(c, request.stops);
   std::vector<judge::StopError> errors = judge.errors(run.outcome);
   while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();

@@ -42,6 +42,9 @@ struct RunRow : measure::RunRecord {
   /// judge::below_zero; an empty name: there is none, or nothing is known.
   std::string negative_state;
   double negative_value = nan, negative_time = nan;
+  /// How far the run is off the constraints at most, see judge::drift_off_constraints; NaN: there
+  /// are none.
+  double constraint_drift = nan, hidden_drift = nan;
   bool diverged = false;             ///< the run ended ok and is not a solution of any accuracy
   std::vector<std::string> remarks;  ///< what else it shows, in sentences
   double energy_change = nan;        ///< of a scene, to the end
@@ -59,7 +62,7 @@ struct RunRow : measure::RunRecord {
                 status, detail, reached, counters.steps, counters.rejected_steps,
                 counters.rhs_evaluations, counters.jacobian_evaluations, error_time,
                 error_component, error_unit, column("error_max", error), error_rms, floor, judged,
-                negative_state, negative_value, negative_time,
+                negative_state, negative_value, negative_time, constraint_drift, hidden_drift,
                 column("remarks", ComputedColumn{joined(remarks)}), truth, energy_change, replay)
 
  private:
