@@ -94,5 +94,18 @@ TEST(Ida, TellsWhyItsStepsAreAsTheyAre) {
   EXPECT_TRUE(run.exact);
 }
 
+// Multipliers have an error of their own, some tenfold, beside those that are tested.
+TEST(Ida, TakesConstraintsOfIndexTwoAsTheyAre) {
+  const Case c = odeum::case_of(
+      cases::text_statements("a.yaml",
+                             "states: {x: 1, y: 0, u: 0, v: 0, lambda: ~}\n"
+                             "equations: {x: u, y: v, u: -lambda*x, v: -lambda*y - 9.81}\n"
+                             "constraints: [x*u + y*v]\ntime: {end: 2}\n",
+                             "a")
+          .front());
+  EXPECT_LT(error_at_end(c, 1e-6), 1e-3);
+  EXPECT_LT(error_at_end(c, 1e-8), 1e-5);
+}
+
 }  // namespace
 }  // namespace odeum::sundials_ida_test

@@ -8,6 +8,7 @@
 #include "odeum/cases/text_case.hpp"
 #include "odeum/formula/reader.hpp"
 #include "odeum/judge/constraint_drift.hpp"
+#include "odeum/methods/rk4.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::formula::constraints_test {
@@ -146,6 +147,33 @@ TEST(Constraints, TruthHasTheDigitsOfTheAngle) {
   ASSERT_TRUE(c.truth.at(5, y.data()));
   for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(y[k], exact[k], c.floor_of(k) + 1e-15) << k;
   EXPECT_LT(c.truth.floor, 1e-11) << "of lambda, which begins at zero";
+}
+
+struct Squeezer {
+  static constexpr std::size_t dimension = dynamic;
+  std::size_t size() const { return 27; }
+  void rhs(double t, const double* y, double* f) const { (*values)(t, y, f); }
+  const Evaluator<double>* values;
+};
+
+// Andrews' squeezer, whose six loops are differentiated three times, in 4000 steps of the classical
+// method, which has some 1e-9 of the angles. Its printed ends are those of PSIDE.
+TEST(Constraints, OfAndrewsSqueezerLeadToThePrintedAngles) {
+  const std::string file = ODEUM_SOURCE_DIR "/tests/outside/testset/andrews_squeezer.yaml";
+  const Problem p = read_problem(file, problem_text(file));
+  EXPECT_EQ(p.index, 3);
+  EXPECT_EQ(p.constraints.size(), 25U) << "13, and 12 hidden ones";
+  EXPECT_NEAR(static_cast<double>(p.y0[14]), 14222.4439199541, 1e-9) << "printed, too";
+  const Evaluator<double> rates(p.graph, p.equations);
+  const Squeezer squeezer{&rates};
+  methods::rk4::Stepper<Squeezer> stepper(squeezer);
+  std::vector<double> y(p.y0.begin(), p.y0.end());
+  constexpr int steps = 4000;
+  for (int k = 0; k < steps; ++k) stepper.step(0.03 * k / steps, 0.03 / steps, y);
+  const double printed[] = {15.81077119629904,  -15.75637105984298, 0.04082224013073101,
+                            -0.534730116322695, 0.5244099658805304, 0.534730116322695,
+                            1.048080741042263};
+  for (std::size_t k = 0; k < 7; ++k) EXPECT_NEAR(y[k], printed[k], 1e-7) << p.states[k];
 }
 
 Outcome run_of(const Case& c, const char* solver, Request request, bool projected) {

@@ -134,6 +134,42 @@ TEST(ResidualMethods, RosenbrockRefusesFactorsThatChange) {
             Status::ok);
 }
 
+Case pendulum_case(const std::string& constraint) {
+  return odeum::case_of(
+      cases::text_statements("a.yaml",
+                             "states: {x: 1, y: 0, u: 0, v: 0, lambda: ~}\n"
+                             "equations: {x: u, y: v, u: -lambda*x, v: -lambda*y - 9.81}\n"
+                             "constraints: [" +
+                                 constraint + "]\ntime: {end: 2}\n",
+                             "a")
+          .front());
+}
+
+// A multiplier has the order of the stages, S, where the index is 2, and S - 1 where it is 3
+// (Solving ODEs II, theorems VII.4.5 and VII.4.9, table VII.4.1); it has the largest error.
+TEST(ResidualMethods, HaveTheOrdersOfHigherIndices) {
+  const Case two = pendulum_case("x*u + y*v"), three = pendulum_case("x^2 + y^2 - 1");
+  EXPECT_NEAR(order_of(two, methods[0], 400), 3, 0.2);
+  EXPECT_NEAR(order_of(two, methods[1], 100), 5, 0.3);
+  EXPECT_NEAR(order_of(three, methods[0], 400), 2, 0.2);
+  EXPECT_NEAR(order_of(three, methods[1], 100), 4, 0.3);
+}
+
+// To a tolerance the multiplier of index 3 has an error of its square root, about: the steps test
+// it times h^2.
+TEST(ResidualMethods, TakeConstraintsOfHigherIndexAsTheyAre) {
+  for (const auto& [constraint, most] : {std::pair{"x*u + y*v", 1e-4}, {"x^2 + y^2 - 1", 1e-2}}) {
+    const Case c = pendulum_case(constraint);
+    for (const char* solver : {methods[0], methods[1], "odeum/bdf_variable_residual"}) {
+      SCOPED_TRACE(std::string(solver) + " " + constraint);
+      EXPECT_LT(error_of(c, end_of(c, solver, tests::adaptive_request(1e-6, {2}))), most);
+    }
+  }
+  const Outcome outcome = tests::find_entrant(pendulum_case("x^2 + y^2 - 1"), adaptive[3])
+                              .solve(tests::adaptive_request(1e-6, {2}));
+  EXPECT_EQ(outcome.status, Status::refused) << outcome.detail;
+}
+
 // Stops between the ends of the steps change no step, and have errors of the same size: some
 // tolerances, by Radau's methods below a tenth of it. The request has one absolute tolerance.
 TEST(ResidualMethods, StepOverOutputs) {
