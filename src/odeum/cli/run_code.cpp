@@ -71,7 +71,10 @@ std::string program_for(const Case& c, const SolverInfo& info, bool stated,
   const auto refuse = [&](const char* why) {
     throw UsageError("--code: there is no program for {} {}", info.id(), why);
   };
-  if (info.method.ends_with(as_it_comes)) refuse("which only this laboratory runs");
+  if (info.method.ends_with(as_it_comes) || request.options.contains("projection"))
+    refuse("which only this laboratory runs so");
+  if (c.problem.implicit && !c.problem.implicit->constraints.jumps.empty())
+    refuse("on a text whose states jump with a constraint");
   if (c.problem.events) {
     if (!stated) refuse("on a model with events that no text states");
     if (info.library != "odeum" || info.needs.starts_with("residuals"))
