@@ -212,6 +212,17 @@ TEST(Constraints, AreKeptByProjection) {
   }
 }
 
+// Outputs between the ends of steps, which are interpolated, are moved too.
+TEST(Constraints, AreKeptAtOutputs) {
+  const Case c = case_of(pendulum);
+  Request request = tests::adaptive_request(1e-6, {});
+  for (int k = 1; k <= 100; ++k) request.stops.push_back(0.05 * k);
+  request.over_stops = true;
+  const Outcome kept = run_of(c, "odeum/dormand_prince54", request, true);
+  ASSERT_EQ(kept.states.size(), 500U);
+  EXPECT_LT(judge::drift_off_constraints(c, request, kept).given.size, 1e-14);
+}
+
 // A projected step has the order of the method (Geometric Numerical Integration, IV.4): three
 // tenths are the distance that halvings leave.
 TEST(Constraints, ProjectionKeepsTheOrder) {

@@ -99,12 +99,12 @@ void Reader::note_constraint(const Reduction& reduction, const Constraint& const
     is_rate = is_rate ||
               (problem_.graph[id].op == Op::state && problem_.graph[id].index >= given_states_);
   const std::string name = name_of(constraint);
-  if (is_rate && *constraint.of.begin() < residual_places_.size())
-    return problem_.notes.emplace_back(
-               "residuals",
-               fmt::format("{} cannot be solved for its rate in symbols: the rate is a state too",
-                           name)),
-           void();
+  if (is_rate && *constraint.of.begin() < residual_places_.size()) {
+    problem_.notes.emplace_back(
+        "residuals",
+        fmt::format("{} cannot be solved for its rate in symbols: the rate is a state too", name));
+    return;
+  }
   problem_.notes.emplace_back(
       section("residuals") ? "residuals" : "constrained",
       fmt::format("{}: a constraint without rates, index {}; its {} gives {}", name, index,

@@ -139,7 +139,12 @@ void offer_projection(const Solver& solver, const ErasedContest& contest, Entran
     Entrant with;
     with.info = solver.info;
     solver.enroll(other, with);
-    return with.solve(request);
+    Outcome outcome = with.solve(request);
+    const std::size_t n = contest.view.dimension;
+    // States between the ends of steps are interpolated.
+    for (std::size_t k = 0; request.over_stops && k < outcome.states.size() / n; ++k)
+      projected->project(request.stops[k], outcome.states.data() + k * n);
+    return outcome;
   };
 }
 
