@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "odeum/core/numbers.hpp"
+#include "odeum/input/csv_text.hpp"
 #include "odeum/input/near_words.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/input/yaml_tree.hpp"
@@ -18,80 +19,55 @@ namespace {
 
 constexpr std::size_t most_input_bytes = 256'000'000;
 
-/// A field of a line and the column at which it begins, from 1.
-struct Field {
-  std::string text;
-  std::size_t column;
-};
-
-/// The fields of a line between commas outside of quotes, without blanks around them.
-std::vector<Field> fields_of(const std::string& line) {
-  std::vector<Field> fields;
-  std::size_t at = 0;
-  while (at <= line.size()) {
-    while (at < line.size() && line[at] == ' ') ++at;
-    Field field{{}, at + 1};
-    bool quoted = false;
-    for (; at < line.size() && (quoted || line[at] != ','); ++at)
-      line[at] == '"' ? void(quoted = !quoted) : field.text.push_back(line[at]);
-    while (field.text.ends_with(' ')) field.text.pop_back();
-    fields.push_back(std::move(field));
-    ++at;
-  }
-  return fields;
-}
-
 }  // namespace
 
 Inputs::Inputs(const std::string& file, const Description& description) : file_(file) {
   const std::string text = read_text_file(file, "inputs", most_input_bytes);
-  std::size_t number = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string line = text.substr(at, end - at);
-    at = end + 1;
-    if (line.ends_with('\r')) line.pop_back();
-    if (++number == 1)
-      read_header(line, description);
-    else if (!line.empty())
-      read_row(line, number);
-  }
+  input::Lines lines(text);
+  for (bool header = true; lines.next(); header = false)
+    header ? read_header(lines.line(), lines.number(), description)
+           : read_row(lines.line(), lines.number());
   if (times_.empty())
-    throw InputError(file_, {number, 1}, "inputs: got no row, expected one after the names");
+    throw InputError(file_, {std::max<std::size_t>(lines.number(), 1), 1},
+                     "inputs: got no row, expected one after the names");
   find_changes();
 }
 
-void Inputs::read_header(const std::string& line, const Description& description) {
-  const std::vector<Field> names = fields_of(line);
+void Inputs::read_header(std::string_view line, std::size_t number,
+                         const Description& description) {
+  separator_ = input::separator_of(line);
+  const std::vector<input::Cell> names = input::cells_of(line, separator_);
   if (names.front().text != "time")
-    throw InputError(
-        file_, {1, 1},
-        fmt::format("inputs: the first column; got {}, expected time", shown(names.front().text)));
+    throw InputError(file_, {number, 1},
+                     fmt::format("inputs: the first column; got {}, expected time",
+                                 shown(std::string(names.front().text))));
   std::vector<std::string> inputs;
   for (const Variable& v : description.variables)
     if (v.is_input && !v.is_array) inputs.push_back(v.name);
   std::set<std::string> before;
   for (std::size_t k = 1; k < names.size(); ++k) {
-    const auto& [name, column] = names[k];
+    const std::string name(names[k].text);
+    const std::size_t column = names[k].column;
     const auto variable = std::ranges::find(description.variables, name, &Variable::name);
     if (variable == description.variables.end() || !variable->is_input || variable->is_array)
       throw InputError(
-          file_, {1, column},
+          file_, {number, column},
           fmt::format("inputs: the model has no such input; got {}, expected {}", shown(name),
                       inputs.empty() ? "no column, since it has none" : one_of(inputs, name)));
     if (!before.insert(name).second)
-      throw InputError(file_, {1, column}, fmt::format("inputs: two columns are {}", shown(name)));
+      throw InputError(file_, {number, column},
+                       fmt::format("inputs: two columns are {}", shown(name)));
     const bool linear = variable->is_real() && !variable->is_discrete;
     columns_.push_back({*variable, linear, {}, {}});
     if (!with_value({&*variable, linear || variable->is_real() ? "0" : "1"}, description.version,
                     [](auto) {}))
-      throw InputError(file_, {1, column},
+      throw InputError(file_, {number, column},
                        fmt::format("inputs: {}: a {} cannot be set", name, variable->type));
   }
 }
 
-void Inputs::read_row(const std::string& line, std::size_t number) {
-  const std::vector<Field> row = fields_of(line);
+void Inputs::read_row(std::string_view line, std::size_t number) {
+  const std::vector<input::Cell> row = input::cells_of(line, separator_);
   if (row.size() != columns_.size() + 1)
     throw InputError(file_, {number, 1},
                      fmt::format("inputs: got {} fields, expected {} as in the first line",
@@ -111,7 +87,7 @@ void Inputs::read_row(const std::string& line, std::size_t number) {
   Variable time;
   time.name = "time";
   with_place(0, [&] {
-    const Setting setting{&time, row[0].text};
+    const Setting setting{&time, std::string(row[0].text)};
     const double t = finite(setting);
     if (!times_.empty() && t < times_.back())
       setting.fail(fmt::format("a time from {} on, that of the row before", times_.back()));
@@ -122,7 +98,7 @@ void Inputs::read_row(const std::string& line, std::size_t number) {
   for (std::size_t k = 0; k < columns_.size(); ++k)
     with_place(k + 1, [&] {
       Column& column = columns_[k];
-      const Setting setting{&column.variable, row[k + 1].text};
+      const Setting setting{&column.variable, std::string(row[k + 1].text)};
       if (column.variable.is_real()) {
         const double value = finite(setting);
         if (column.linear) column.values.push_back(value);

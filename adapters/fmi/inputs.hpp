@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fmi/description.hpp"
@@ -40,12 +41,13 @@ class Inputs {
   std::string words() const;  ///< for people
 
  private:
-  void read_header(const std::string& line, const Description& description);
-  void read_row(const std::string& line, std::size_t number);
+  void read_header(std::string_view line, std::size_t number, const Description& description);
+  void read_row(std::string_view line, std::size_t number);
   void find_changes();
 
   std::string file_;
   std::vector<double> times_, jumps_;
+  char separator_ = ',';
   std::vector<Column> columns_;
   std::vector<Switch> kinks_;
 };

@@ -83,7 +83,7 @@ std::optional<double> value_of(const Case& c, const Trajectory& run, const Candi
   for (const Parameter& each : c.parameters) values.push_back(each.value);
   const auto with = [&](double value) {
     values[parameter] = value;
-    return c.with_values(values);
+    return c.with_values(values, {});
   };
   const double given = values[parameter];
   double x = given, other = given == 0 ? 0.01 : 1.01 * given;

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
+#include "odeum/input/csv_text.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
@@ -17,58 +17,6 @@ namespace {
 
 constexpr std::size_t most_bytes = 512'000'000;
 constexpr int digits_of_double = 15;  // more are those of the nearest double
-
-struct Word {
-  std::string_view text;
-  std::size_t column = 1;  ///< in its line, from 1
-};
-
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-/// The words of a line between separators, outside of quotes; ' ' stands for any spaces.
-std::vector<Word> words_of(std::string_view line, char separator) {
-  std::vector<Word> words;
-  std::size_t begin = 0;
-  bool quoted = false;
-  const auto add = [&](std::size_t end) {
-    std::string_view word = line.substr(begin, end - begin);
-    const std::size_t lead = word.size() - trimmed(word).size();
-    word = trimmed(word);
-    if (word.size() > 1 && word.front() == '"' && word.back() == '"')
-      word = word.substr(1, word.size() - 2);
-    if (separator != ' ' || !word.empty()) words.push_back({word, begin + 1 + (lead ? 1 : 0)});
-  };
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"') quoted = !quoted;
-    if (quoted || (separator == ' ' ? !is_space(line[i]) : line[i] != separator)) continue;
-    add(i);
-    begin = i + 1;
-  }
-  add(line.size());
-  return words;
-}
-
-/// A number as people and programs write it; nothing for another word.
-std::optional<double> number_in(std::string_view word, bool decimal_comma) {
-  std::string text(word);
-  if (decimal_comma) std::ranges::replace(text, ',', '.');
-  const char* begin = text.data();
-  const char* const end = begin + text.size();
-  if (begin != end && *begin == '+') ++begin;
-  double value = 0;
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error == std::errc::result_out_of_range && rest == end)
-    return text.find("e-") == std::string::npos && text.find("E-") == std::string::npos ? HUGE_VAL
-                                                                                        : 0.0;
-  if (error != std::errc() || rest != end) return {};
-  return value;
-}
 
 /// What the words of a column have been so far.
 struct Written {
@@ -95,12 +43,12 @@ struct Written {
 
 class Reader {
  public:
-  Reader(const std::string& path, std::string_view text) : rest_(text) { file_.path = path; }
+  Reader(const std::string& path, std::string_view text) : lines_(text) { file_.path = path; }
 
   TableFile read() {
-    while (!rest_.empty()) line();
+    while (lines_.next()) line(lines_.line());
     if (file_.lines.size() < 2)
-      throw InputError(file_.path, {std::max<std::size_t>(line_, 1), 1},
+      throw InputError(file_.path, {std::max<std::size_t>(lines_.number(), 1), 1},
                        fmt::format("got {} rows of numbers, expected two at least: the times and "
                                    "states of a run",
                                    file_.lines.size()));
@@ -121,17 +69,12 @@ class Reader {
 
  private:
   [[noreturn]] void fail(std::size_t column, const std::string& what) const {
-    throw InputError(file_.path, {line_, column}, what);
+    throw InputError(file_.path, {lines_.number(), column}, what);
   }
 
-  void line() {
-    const std::size_t end = rest_.find('\n');
-    std::string_view line = rest_.substr(0, end);
-    rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
-    if (++line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+  void line(std::string_view line) {
     if (line.find('\0') != std::string_view::npos) fail(1, "got a binary file, expected text");
-    const std::string_view content = trimmed(line);
-    if (content.empty()) return;
+    const std::string_view content = input::trimmed(line);
     if (content.front() == '#' || content.front() == '%')
       comment_ = content.substr(1);
     else if (file_.columns.empty())
@@ -142,19 +85,14 @@ class Reader {
 
   /// The first line that is not a comment: the header, or numbers.
   void first(std::string_view line) {
-    separator_ = ' ';
-    for (const char c : {'\t', ';', ','})
-      if (line.find(c) != std::string_view::npos) separator_ = c;
-    // A semicolon or tab between numbers with decimal commas.
-    for (const char c : {';', '\t'})
-      if (separator_ == ',' && line.find(c) != std::string_view::npos) separator_ = c;
-    const std::vector<Word> words = words_of(line, separator_);
-    const bool numbers = std::ranges::all_of(words, [&](const Word& word) {
-      return number_in(word.text, separator_ != ',').has_value();
+    separator_ = input::separator_of(line);
+    const std::vector<input::Cell> words = input::cells_of(line, separator_);
+    const bool numbers = std::ranges::all_of(words, [&](const input::Cell& word) {
+      return input::number_in(word.text, separator_ != ',').has_value();
     });
-    std::vector<Word> names = words;
+    std::vector<input::Cell> names = words;
     if (numbers)
-      names = words_of(comment_, comment_.find(',') != std::string_view::npos ? ',' : ' ');
+      names = input::cells_of(comment_, comment_.find(',') != std::string_view::npos ? ',' : ' ');
     file_.columns.resize(words.size());
     written_.resize(words.size());
     for (std::size_t k = 0; k < words.size(); ++k) {
@@ -165,12 +103,12 @@ class Reader {
   }
 
   void row(std::string_view line) {
-    const std::vector<Word> words = words_of(line, separator_);
+    const std::vector<input::Cell> words = input::cells_of(line, separator_);
     if (words.size() != file_.columns.size())
       fail(1, fmt::format("got {} numbers, expected {}, as in the lines before", words.size(),
                           file_.columns.size()));
     for (std::size_t k = 0; k < words.size(); ++k) {
-      const std::optional<double> value = number_in(words[k].text, separator_ != ',');
+      const std::optional<double> value = input::number_in(words[k].text, separator_ != ',');
       if (!value)
         fail(words[k].column,
              fmt::format("got {}, expected a number",
@@ -178,12 +116,12 @@ class Reader {
       written_[k].note(words[k].text, file_.columns[k]);
       file_.columns[k].values.push_back(*value);
     }
-    file_.lines.push_back(line_);
+    file_.lines.push_back(lines_.number());
   }
 
   TableFile file_;
-  std::string_view rest_, comment_;
-  std::size_t line_ = 0;
+  input::Lines lines_;
+  std::string_view comment_;
   char separator_ = ',';
   std::vector<Written> written_;
 };

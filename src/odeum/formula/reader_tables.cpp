@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 #include <string_view>
 
 #include "odeum/formula/reader.hpp"
+#include "odeum/input/csv_text.hpp"
 #include "odeum/input/near_words.hpp"
 #include "odeum/input/text_file.hpp"
 
@@ -18,31 +17,6 @@ namespace {
 constexpr std::string_view table_keys[] = {"file", "columns", "points", "between", "outside"};
 constexpr std::size_t most_table_bytes = 8'000'000;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r\"";
-  const std::size_t first = text.find_first_not_of(blank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = std::min(line.find_first_of(",;", begin), line.size());
-    cells.push_back(trimmed(line.substr(begin, end - begin)));
-    if (end == line.size()) return cells;
-    begin = end + 1;
-  }
-}
-
-std::optional<double> number_in(std::string_view text) {
-  double value = 0;
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
-}
-
 /// Two columns of a CSV file with a line of names.
 class Csv {
  public:
@@ -50,17 +24,15 @@ class Csv {
 
   void read(const std::vector<std::string>& wanted, Table& table) {
     std::vector<std::size_t> at;
-    std::string_view rest = text_;
-    for (std::size_t line = 1; !rest.empty(); ++line) {
-      const std::size_t end = std::min(rest.find('\n'), rest.size());
-      const std::string_view text = trimmed(rest.substr(0, end));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-      if (text.empty() || text.starts_with('#')) continue;
-      const std::vector<std::string_view> cells = cells_of(text);
+    char separator = ',';
+    for (input::Lines lines(text_); lines.next();) {
+      if (input::trimmed(lines.line()).starts_with('#')) continue;
+      if (at.empty()) separator = input::separator_of(lines.line());
+      const std::vector<input::Cell> cells = input::cells_of(lines.line(), separator);
       if (at.empty())
-        at = places(cells, wanted, line);
+        at = places(cells, wanted, lines.number());
       else
-        add_row(cells, at, line, table);
+        add_row(cells, at, lines.number(), table);
     }
   }
 
@@ -68,7 +40,12 @@ class Csv {
   [[noreturn]] void fail(std::size_t line, const std::string& what) const {
     throw InputError(file_, {line, 1}, what);
   }
-  std::vector<std::size_t> places(const std::vector<std::string_view>& names,
+  static std::vector<std::string> texts_of(const std::vector<input::Cell>& cells) {
+    std::vector<std::string> texts;
+    for (const input::Cell& cell : cells) texts.emplace_back(cell.text);
+    return texts;
+  }
+  std::vector<std::size_t> places(const std::vector<input::Cell>& names,
                                   const std::vector<std::string>& wanted, std::size_t line) const {
     if (wanted.empty()) {
       if (names.size() != 2)
@@ -79,24 +56,24 @@ class Csv {
     }
     std::vector<std::size_t> all;
     for (const std::string& name : wanted) {
-      const auto found = std::ranges::find(names, name);
+      const auto found = std::ranges::find(names, name, &input::Cell::text);
       if (found == names.end())
-        fail(line,
-             fmt::format("no such column; got {}, expected one of the file's{}", shown(name),
-                         near_one(name, std::vector<std::string>(names.begin(), names.end()))));
+        fail(line, fmt::format("no such column; got {}, expected one of the file's{}", shown(name),
+                               near_one(name, texts_of(names))));
       all.push_back(static_cast<std::size_t>(found - names.begin()));
     }
     return all;
   }
-  void add_row(const std::vector<std::string_view>& cells, const std::vector<std::size_t>& at,
+  void add_row(const std::vector<input::Cell>& cells, const std::vector<std::size_t>& at,
                std::size_t line, Table& table) const {
     std::vector<long double> row;
     for (const std::size_t place : at) {
-      const auto number = place < cells.size() ? number_in(cells[place]) : std::nullopt;
-      if (!number)
-        fail(line, fmt::format("got {} in column {}, expected a finite number",
-                               place < cells.size() ? shown(std::string(cells[place])) : "nothing",
-                               place + 1));
+      const auto number = place < cells.size() ? input::number_in(cells[place].text) : std::nullopt;
+      if (!number || !std::isfinite(*number))
+        fail(line,
+             fmt::format("got {} in column {}, expected a finite number",
+                         place < cells.size() ? shown(std::string(cells[place].text)) : "nothing",
+                         place + 1));
       row.push_back(*number);
     }
     if (!table.x.empty() && !(row[0] > table.x.back()))

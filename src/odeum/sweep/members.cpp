@@ -3,12 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <sstream>
 #include <stdexcept>
+
+#include "odeum/core/numbers.hpp"
+#include "odeum/input/csv_text.hpp"
 
 namespace odeum::sweep {
 namespace {
@@ -19,11 +20,9 @@ template <class... Arguments>
 }
 
 bool read(std::string_view text, double& number) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && stop == text.data() + text.size() && std::isfinite(number);
+  const std::optional<double> read = input::number_in(input::trimmed(text));
+  number = read.value_or(nan);
+  return std::isfinite(number);
 }
 
 std::vector<std::string> split(std::string_view text, char at) {
@@ -154,26 +153,24 @@ void Members::require_names() const {
 
 Members Members::of_csv(const std::string& name, const std::string& text) {
   Members members;
-  std::istringstream lines(text);
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (line.ends_with('\r')) line.pop_back();
-    if (line.empty()) continue;
-    const std::vector<std::string> cells = split(line, ',');
+  char separator = ',';
+  for (input::Lines lines(text); lines.next();) {
     if (members.names_.empty()) {
-      members.names_ = cells;
+      separator = input::separator_of(lines.line());
+      for (const input::Cell& cell : input::cells_of(lines.line(), separator))
+        members.names_.emplace_back(cell.text);
       members.require_names();
       continue;
     }
+    const std::vector<input::Cell> cells = input::cells_of(lines.line(), separator);
     if (cells.size() != members.names_.size())
-      fail("{}:{}: got {} cells, expected {}, one for each name of the first line", name, number,
-           cells.size(), members.names_.size());
+      fail("{}:{}: got {} cells, expected {}, one for each name of the first line", name,
+           lines.number(), cells.size(), members.names_.size());
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      double value = 0;
-      if (!read(cells[k], value))
-        fail("{}:{}: {}: got {}, expected a finite number", name, number, members.names_[k],
-             cells[k].empty() ? "nothing" : cells[k]);
+      const double value = input::number_in(cells[k].text).value_or(nan);
+      if (!std::isfinite(value))
+        fail("{}:{}: {}: got {}, expected a finite number", name, lines.number(), members.names_[k],
+             cells[k].text.empty() ? "nothing" : cells[k].text);
       members.table_.push_back(value);
     }
     if (++members.size_ > most_members)
