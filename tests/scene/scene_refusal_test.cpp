@@ -119,6 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"look_without_texture", emitter("look: {texture: /nonexistent.png}"),
               "look.texture: a texture that cannot be read"},
         Fault{"look_with_a_text", emitter("look: {texture: /proc/self/status}"), "look.texture: "},
+        Fault{"another_kind", "foo: 1\nbar: 2\n",
+              "neither a scene nor a problem; got the keys foo, bar, expected particles"},
         Fault{"merge_of_a_number", particle("{<<: 3, pos: [0, 0, 0], mass: 1}"),
               "s.yaml:3:18: scene: a merge key; got 3, expected a mapping"},
         Fault{"merge_of_a_list_of_numbers", particle("{<<: [3], pos: [0, 0, 0], mass: 1}"),

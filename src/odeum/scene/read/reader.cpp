@@ -2,8 +2,11 @@
 #include "odeum/scene/read/reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "odeum/input/text_file.hpp"
 #include "odeum/scene/read/reader_fields.hpp"
@@ -76,11 +79,27 @@ void warn_of_duplicates(Context& context) {
     context.warn({}, fmt::format("springs: {} more duplicate springs", count - most_told));
 }
 
+constexpr std::array keys_of_scenes = std::to_array<std::string_view>(
+    {"name", "up", "gravity", "duration", "solver", "particles", "springs", "gravitational",
+     "cloth", "forces", "contacts", "surfaces", "emitters", "output", "plot",
+     "allow_negative_damping"});
+
+/// A file none of whose keys is one of scenes may be meant as another kind.
+void require_a_key_of_scenes(Context& context, const YamlNode& root) {
+  if (root.kind != YamlNode::Kind::mapping || root.items.empty()) return;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < root.items.size(); i += 2) {
+    if (std::ranges::find(keys_of_scenes, root.items[i]->text) != keys_of_scenes.end()) return;
+    if (names.size() < 8) names.push_back(shown(root.items[i]->text));
+  }
+  Value(context, root, "")
+      .fail("neither a scene nor a problem", fmt::format("the keys {}", fmt::join(names, ", ")),
+            "particles, or a cloth or an emitter, of a scene; states and equations of a problem");
+}
+
 void read_all(Context& context, const YamlNode& root) {
-  const Mapping mapping({context, root, ""},
-                        {"name", "up", "gravity", "duration", "solver", "particles", "springs",
-                         "gravitational", "cloth", "forces", "contacts", "surfaces", "emitters",
-                         "output", "plot", "allow_negative_damping"});
+  require_a_key_of_scenes(context, root);
+  const Mapping mapping({context, root, ""}, keys_of_scenes);
   Scene& scene = context.scene;
   mapping.with("name", [&](const Value& v) { scene.name = v.text(); });
   mapping.with("up", [&](const Value& v) {
