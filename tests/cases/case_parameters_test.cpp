@@ -13,7 +13,7 @@ namespace {
 // Kepler's equation E - e sin E = t has the exact state: e = 0.3 is in no table.
 TEST(ComputedTruth, IsExact) {
   const double e = 0.3;
-  const Case c = find_case("kepler_e06").with_values({e});
+  const Case c = find_case("kepler_e06").with_values({e}, {});
   const std::vector<double> times{0.5, 2, 7, 11};
   const Truth truth = truth::truth_at(c, times);
   EXPECT_LT(truth.floor, 1e-15);
@@ -42,7 +42,7 @@ TEST(CaseParameters, TheTruthFollows) {
       std::vector<double> values;
       for (const Parameter& parameter : c.parameters) values.push_back(parameter.value);
       values[p] = values[p] == 0 ? 0.1 : values[p] * 1.1;
-      const Case other = c.with_values(values);
+      const Case other = c.with_values(values, {});
       const double end = c.t0 + (c.stops.front() - c.t0) / (c.nature.stiff ? 1e3 : 2);
       const Outcome outcome =
           find_entrant(other, "odeum/verner98").solve(adaptive_request(1e-11, {end}));
@@ -66,7 +66,7 @@ TEST(CaseParameters, TheirUsualValuesMakeTheCaseItself) {
     if (c.parameters.empty()) continue;
     std::vector<double> values;
     for (const Parameter& parameter : c.parameters) values.push_back(parameter.value);
-    const Case same = c.with_values(values);
+    const Case same = c.with_values(values, {});
     EXPECT_EQ(same.equation, c.equation);
     EXPECT_EQ(same.y0, c.y0);
     EXPECT_EQ(same.truth.source, c.truth.source);

@@ -13,7 +13,7 @@ TEST(MassMatrix, EnergyIsTheSameInBothCoordinates) {
   for (const std::vector<double>& p : {std::vector<double>{1, 3, 4, 5, 2, 1, 0.5, 0, -0.3},
                                        {2, 2, 4, 5, 2, 1, 0.5, 0.7, -0.3},
                                        {0.5, 7, 1, 9, 30, -1, 2, 3, 4}}) {
-    const Case c = usual.with_values(p);
+    const Case c = usual.with_values(p, {});
     for (const double t : {0.7, 3.1}) {
       double y[4];
       ASSERT_TRUE(c.truth.at(t, y));

@@ -130,12 +130,13 @@ TEST(CaseTexts, OfAUserSayAllThatBuiltInOnesDo) {
   EXPECT_TRUE(c.problem.view.jacobian);
   ASSERT_EQ(c.parameters.size(), 1U);
   EXPECT_EQ(c.parameters[0].meaning, "a rate");
-  EXPECT_EQ(c.with_values({3}).y0, (std::vector<double>{9, 2}));
-  EXPECT_THROW(c.with_values({-1}), std::invalid_argument);
+  EXPECT_EQ(c.with_values({3}, {}).y0, (std::vector<double>{9, 2}));
+  EXPECT_THROW(c.with_values({-1}, {}), std::invalid_argument);
   EXPECT_EQ(case_of(statements[1]).settings.no_fixed_steps, "it is an example");
   EXPECT_THROW(made("", problem, {{"kk", "1"}}), InputError);
   // Values that are given again stay: k and m, in the order of their names.
-  EXPECT_EQ(made("", problem, {{"k", "3"}}).with_values({3, 5}).y0, (std::vector<double>{9, 5}));
+  EXPECT_EQ(made("", problem, {{"k", "3"}}).with_values({3, 5}, {}).y0,
+            (std::vector<double>{9, 5}));
 }
 
 // A text with the equations and all keys of a built-in one is the same case: the same rows, byte
@@ -177,7 +178,7 @@ TEST(Catalogue, ARunOfOneSolverMakesOneCaseAndOneEntrant) {
 // The constants that follow from parameters, and the initial values, are those of the values that a
 // user gives.
 TEST(CaseTexts, FollowTheirParameters) {
-  const Case c = tests::find_case("rigid_body_hlw").with_values({3, 1.5, 0.8, 0.7});
+  const Case c = tests::find_case("rigid_body_hlw").with_values({3, 1.5, 0.8, 0.7}, {});
   const std::string file = ODEUM_SOURCE_DIR "/cases/rigid_body.yaml";
   const formula::TextOde text(
       formula::read_problem(file, formula::problem_text(file),
@@ -190,11 +191,11 @@ TEST(CaseTexts, FollowTheirParameters) {
     EXPECT_NEAR(f[i], expected[i], 1e-15);
     EXPECT_NEAR(c.y0[i], static_cast<double>(text.problem().y0[i]), 1e-15);
   }
-  EXPECT_THROW(tests::find_case("kepler_e06").with_values({1.5}), std::invalid_argument);
+  EXPECT_THROW(tests::find_case("kepler_e06").with_values({1.5}, {}), std::invalid_argument);
 }
 
 TEST(CaseTexts, AClosedFormHoldsForAllParameters) {
-  const Case c = tests::find_case("prothero_robinson_1e3_smooth").with_values({2, 3});
+  const Case c = tests::find_case("prothero_robinson_1e3_smooth").with_values({2, 3}, {});
   double y = 0;
   ASSERT_TRUE(c.truth.at(0.5, &y));
   EXPECT_NEAR(y, std::cos(0.5) + 2 * std::exp(-1.0), 1e-15);

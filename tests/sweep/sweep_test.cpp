@@ -29,7 +29,7 @@ void expect_same(const Case& c, const std::string& solver, const std::vector<dou
   const std::optional<Family> family = c.family({values});
   ASSERT_TRUE(family) << c.id;
   family->place(values);
-  const Case own = c.with_values(values);
+  const Case own = c.with_values(values, {});
   const Outcome in_place = family->entrants.find(solver)->solve(adaptive(c, 1e-9)),
                 alone = own.entrants.find(solver)->solve(adaptive(c, 1e-9));
   ASSERT_EQ(in_place.status, Status::ok) << c.id << ": " << in_place.detail;
@@ -159,7 +159,7 @@ TEST(Sweep, AClosedFormGivesEachMemberItsError) {
   EXPECT_EQ(some.solved, 1U);
   EXPECT_LT(some.results[1], 1e-6);
   EXPECT_NE(some.csv.find("does not fulfil its equation"), std::string::npos) << some.csv;
-  EXPECT_THROW(c.with_values({2, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(c.with_values({2, 1, 2}, {}), std::invalid_argument);
   // A case in C++, whose own closed form follows its values, and a text that has none.
   EXPECT_TRUE(error_of_members(tests::find_case("blow_up")));
   EXPECT_FALSE(error_of_members(tests::find_case("lotka_volterra")));

@@ -115,8 +115,9 @@ Case case_before_truth(const Statement& statement) {
   };
   Case c = named(statement.make());
   if (c.with_values)
-    c.with_values = [named, with = std::move(c.with_values)](const std::vector<double>& values) {
-      return named(with(values));
+    c.with_values = [named, with = std::move(c.with_values)](const std::vector<double>& values,
+                                                             const TruthBounds& bounds) {
+      return named(with(values, bounds));
     };
   return c;
 }

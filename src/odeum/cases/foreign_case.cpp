@@ -38,7 +38,8 @@ Entrants enroll_isolated(const ErasedContest& contest) {
 }
 
 /// The truth of the case, and words for people; whether it was computed.
-bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& words) {
+bool set_truth(Case& c, const std::shared_ptr<const Held>& held, const TruthBounds& bounds,
+               std::string& words) {
   const foreign::ProblemCallbacks& given = held->given;
   c.truth.at = [held](double t, double* y) { return held->problem.exact(t, y); };
   // The foreign code's solution is known to its rounding.
@@ -51,8 +52,9 @@ bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& wo
   std::string why = given.no_truth;
   std::optional<truth::Reference> reference;
   if (why.empty())
-    reference = truth::kept_or_computed("foreign, sampled " + given.content, c.y0.size(), c.stops,
-                                        c.units, [&] { return truth::reference_of(given, why); });
+    reference =
+        truth::kept_or_computed("foreign, sampled " + given.content, c.y0.size(), c.stops, c.units,
+                                bounds, [&] { return truth::reference_of(given, why, bounds); });
   if (reference && !reference->times.empty()) {
     const std::string assumed = fmt::format("; assuming that nothing in it is shorter than {:.2g}",
                                             truth::shortest_seen * (c.stops.back() - c.t0));
@@ -83,9 +85,9 @@ void usual_steps(Case& c) {
   c.settings.finest_steps = std::max<std::uint64_t>(16384, 64 * c.settings.steps_multiple);
 }
 
-void compute_truth(Case& c, const std::shared_ptr<const Held>& held) {
+void compute_truth(Case& c, const std::shared_ptr<const Held>& held, const TruthBounds& bounds) {
   std::string words;
-  if (set_truth(c, held, words))
+  if (set_truth(c, held, bounds, words))
     choose_steps(c, false, true);
   else
     usual_steps(c);
@@ -119,7 +121,9 @@ Case foreign_case(const std::shared_ptr<const Held>& held) {
   c.entrants = enroll_isolated(c.problem);
   c.facts = given.facts;
   c.truth = unknown_truth("not computed");
-  c.compute_truth = [held](Case& later) { compute_truth(later, held); };
+  c.compute_truth = [held](Case& later, const TruthBounds& bounds) {
+    compute_truth(later, held, bounds);
+  };
   return c;
 }
 

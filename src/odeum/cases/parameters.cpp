@@ -12,7 +12,7 @@ Case with_parameters(std::vector<Parameter> parameters,
   Values values;
   for (const Parameter& parameter : parameters) values.push_back(parameter.value);
   Case c = make(values);
-  c.with_values = [parameters, make](const Values& others) {
+  c.with_values = [parameters, make](const Values& others, const TruthBounds&) {
     Case other = make(others);
     other.parameters = parameters;
     for (std::size_t i = 0; i < others.size(); ++i) other.parameters[i].value = others[i];

@@ -80,8 +80,8 @@ std::uint64_t budget_of(const scene::SceneProblem& problem, std::uint64_t usual)
 
 /// The truth of the case, and steps of studies to match.
 void compute_truth(Case& c, const std::shared_ptr<const scene::SceneProblem>& problem,
-                   const std::string& text, const std::string& file) {
-  const TextTruth known = scene_truth(problem, c.stops, text, file);
+                   const std::string& text, const std::string& file, const TruthBounds& bounds) {
+  const TextTruth known = scene_truth(problem, c.stops, text, file, bounds);
   c.truth = known.truth;
   c.facts.emplace_back("truth", known.words);
   if (known.stops.empty()) c.settings.no_convergence = "no truth is known: " + known.words;
@@ -126,8 +126,8 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   c.entrants = enroll_scene(problem);
   c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
   c.truth = unknown_truth("not computed");
-  c.compute_truth = [problem, text, file](Case& later) {
-    compute_truth(later, problem, text, file);
+  c.compute_truth = [problem, text, file](Case& later, const TruthBounds& bounds) {
+    compute_truth(later, problem, text, file, bounds);
   };
   return c;
 }
@@ -171,7 +171,7 @@ double extent_of(const double* y, std::size_t particles) {
 
 TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
                       const std::vector<double>& times, const std::string& content,
-                      const std::string& what) {
+                      const std::string& what, const TruthBounds& bounds) {
   if (problem->structure().closed_form) {
     TextTruth known;
     known.truth.at = [problem](double t, double* y) {
@@ -192,9 +192,9 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
     known.known_until = times.back();
     return known;
   }
-  const auto reference =
-      truth::kept_or_computed("scene " + content, problem->size(), times, {},
-                              [&] { return std::optional(truth::reference_of(problem, times)); });
+  const auto reference = truth::kept_or_computed(
+      "scene " + content, problem->size(), times, {}, bounds,
+      [&] { return std::optional(truth::reference_of(problem, times, bounds)); });
   return truth_from(*reference, times, {}, what);
 }
 

@@ -30,7 +30,7 @@ std::shared_ptr<const scene::SceneProblem> whole_problem(const scene::Scene& sce
 /// it.
 TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
                       const std::vector<double>& times, const std::string& content,
-                      const std::string& what);
+                      const std::string& what, const TruthBounds& bounds = {});
 
 /// A scene as a case, with its duration as the horizon and errors at four times of it, where `span`
 /// does not say otherwise; in metres, the positions of free particles measured. `text` is that of

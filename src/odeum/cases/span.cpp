@@ -42,20 +42,21 @@ std::vector<double> stops_of(const Span& span, double t0, const std::vector<doub
   return stops;
 }
 
-Case with_span(Case c, const Span& span) {
+Case with_span(Case c, const Span& span, const TruthBounds& bounds) {
   c.stops = stops_of(span, c.t0, c.stops);
   c.asked_end = -infinity;
   c.settings.timed_stops.clear();
   c.settings.no_fixed_steps.clear();
-  truth::know_truth(c, c.stops);
+  truth::know_truth(c, c.stops, bounds);
   std::vector<double> known, state(c.y0.size());
   for (const double stop : c.stops)
     if (c.truth.at(stop, state.data())) known.push_back(stop);
   cut_stops(c, known);
   choose_steps(c, c.nature.smooth, !known.empty());
   if (c.with_values)
-    c.with_values = [inner = c.with_values, span](const std::vector<double>& values) {
-      return with_span(inner(values), span);
+    c.with_values = [inner = c.with_values, span](const std::vector<double>& values,
+                                                  const TruthBounds& within) {
+      return with_span(inner(values, within), span, within);
     };
   return c;
 }

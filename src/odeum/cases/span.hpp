@@ -21,6 +21,6 @@ struct Span {
 std::vector<double> stops_of(const Span& span, double t0, const std::vector<double>& own);
 
 /// A case with these stops, up to where the truth is known there, and with steps to match.
-Case with_span(Case c, const Span& span);
+Case with_span(Case c, const Span& span, const TruthBounds& bounds = {});
 
 }  // namespace odeum::cases

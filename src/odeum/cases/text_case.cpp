@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
+#include "odeum/cases/foreseen_cost.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/printed_text.hpp"
 #include "odeum/cases/proposed_scale.hpp"
@@ -31,7 +33,6 @@ struct File {
 class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
  public:
   TextCase(const File& file, const TextSource& source) : CaseText(source), file_(file) {}
-
   Case make() {
     require_signs();
     case_.text = std::make_shared<const TextSource>(source_);
@@ -48,14 +49,14 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     set_truth();
     select_invariants();
     set_facts(case_);
-    case_.compute_truth = [self = shared_from_this()](Case& c) { self->complete(c); };
+    case_.compute_truth = std::bind_front(&TextCase::complete, shared_from_this());
     return std::move(case_);
   }
 
  private:
-  void complete(Case& c) {
+  void complete(Case& c, const TruthBounds& bounds) {
     if (waits_for_truth_) {
-      truth_ = truth_of(ode_, c.units, along_);
+      truth_ = truth_of(ode_, c.units, along_, bounds, [&](auto& r) { foresee_cost(c, r); });
       take_truth(c);
       cut_stops(c, truth_.stops);
     }
@@ -84,14 +85,14 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     if (offered_.empty()) return;
     if (problem_.events.empty() && problem_.jumps.empty()) case_.family = TextFamilies{source_};
     // What stays as it is keeps all digits of the file.
-    case_.with_values = [file = file_, source = source_,
-                         now = case_.parameters](const Values& values) {
+    case_.with_values = [file = file_, source = source_, now = case_.parameters](
+                            const Values& values, const TruthBounds& bounds) {
       TextSource other = source;
       for (std::size_t k = 0; k < now.size(); ++k)
         if (values[k] != now[k].value)
           other.set[now[k].name] = fmt::format("{:.21g}", static_cast<long double>(values[k]));
       Case c = std::make_shared<TextCase>(file, other)->make();
-      odeum::complete(c);
+      odeum::complete(c, bounds);
       return c;
     };
   }
@@ -164,8 +165,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     double floor = 0;
     take_number("floor", floor);
     if (!files.empty() && !(floor > 0))
-      fail(find("reference")->place, "{}: floor: got none, expected the error of the reference",
-           source_.id);
+      fail(find("reference")->place, "floor: got none, expected the error of the reference");
     if (!files.empty() && is_usual()) {
       case_.truth = reference(files.front(), floor);
       for (std::size_t k = 1; k < files.size(); ++k)

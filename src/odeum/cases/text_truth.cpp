@@ -168,16 +168,19 @@ void take_sizes(const truth::Along& along, Truth& truth) {
 }
 
 TextTruth truth_of(const std::shared_ptr<const TextOde>& ode, const ErrorUnits& units,
-                   const std::shared_ptr<const truth::Along>& along) {
+                   const std::shared_ptr<const truth::Along>& along, const TruthBounds& bounds,
+                   const std::function<void(truth::Reference&)>& foresee) {
   const formula::Problem& problem = ode->problem();
   const auto compute = [&] {
     truth::System system = truth::system_of(ode);
     system.along = along;
-    return truth::compute_reference(system, problem.stops, units);
+    truth::Reference reference = truth::compute_reference(system, problem.stops, units, bounds);
+    if (foresee) foresee(reference);
+    return reference;
   };
   TextTruth result =
       truth_from(*truth::kept_or_computed(content_of(problem, ode->analysis()), ode->size(),
-                                          problem.stops, units, compute),
+                                          problem.stops, units, bounds, compute),
                  problem.stops, units, problem.file);
   if (along) take_sizes(*along, result.truth);
   result.words += fmt::format(

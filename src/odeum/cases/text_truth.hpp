@@ -37,9 +37,11 @@ std::shared_ptr<const truth::Along> along_of(const std::shared_ptr<const formula
 /// Gives a truth the sizes along the solution.
 void take_sizes(const truth::Along& along, Truth& truth);
 /// A computed one, at the problem's stops as far as it is known. `along`: null where that is not
-/// known.
+/// known. `foresee`, where it is given, adds to a new one that was cut short.
 TextTruth truth_of(const std::shared_ptr<const formula::TextOde>& ode, const ErrorUnits& units = {},
-                   const std::shared_ptr<const truth::Along>& along = nullptr);
+                   const std::shared_ptr<const truth::Along>& along = nullptr,
+                   const TruthBounds& bounds = {},
+                   const std::function<void(truth::Reference&)>& foresee = {});
 
 /// Whether the truth of a case of the problem is proved at its stops, as truth::to_text says it;
 /// kept in the cache folder. Empty where Odeum was built without what proves it.

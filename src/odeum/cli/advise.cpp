@@ -85,7 +85,7 @@ Range range_of(const std::string& text) {
   return range;
 }
 
-Box box_of(const Case& c, const std::vector<Range>& ranges) {
+Box box_of(const Case& c, const std::vector<Range>& ranges, const TruthBounds& bounds) {
   constexpr std::size_t most = 7, full = 3;
   if (ranges.size() > most) throw UsageError("--vary takes {} parameters at most", most);
   // Columns of a Hadamard matrix of eight rows.
@@ -101,7 +101,7 @@ Box box_of(const Case& c, const std::vector<Range>& ranges) {
                                               : odd    ? 1
                                                        : -1)));
     }
-    box.cases.push_back(with_sets(c, sets));
+    box.cases.push_back(with_sets(c, sets, bounds));
     box.points.push_back(std::move(sets));
   }
   return box;
@@ -152,11 +152,11 @@ int advise_on(Session& session, AdviseOptions& options, const CLI::App& command)
   options.wishes.start = std::chrono::steady_clock::now();
   // The deadline is in seconds; a truth that is found within them is kept.
   constexpr double usual = 40, share = 0.4;
-  const truth::Deadline deadline(
+  session.truth_bounds = {
       options.wishes.start +
-      std::chrono::milliseconds(std::llround(
-          1e3 * (options.wishes.seconds > 0 ? share * options.wishes.seconds : usual))));
-  const truth::Accuracy accuracy(options.wishes.error > 0 ? options.wishes.error / 100 : 0);
+          std::chrono::milliseconds(std::llround(
+              1e3 * (options.wishes.seconds > 0 ? share * options.wishes.seconds : usual))),
+      options.wishes.error > 0 ? options.wishes.error / 100 : 0};
   std::vector<Range> ranges;
   for (const std::string& text : options.vary) ranges.push_back(range_of(text));
   const Case given = case_of(session, options.what, options.problems, [&](Case& c) {
@@ -166,8 +166,8 @@ int advise_on(Session& session, AdviseOptions& options, const CLI::App& command)
   if (ranges.empty())
     box.cases.push_back(given);
   else
-    box = box_of(given, ranges);
-  for (Case& each : box.cases) truth::know_truth(each, each.stops);
+    box = box_of(given, ranges, session.truth_bounds);
+  for (Case& each : box.cases) truth::know_truth(each, each.stops, session.truth_bounds);
   const Case& c = box.cases.front();
   advise::Asked asked{shell_word(options.what),
                       words_of(fixed_sets(options.problems.sets, ranges), command), box.points,

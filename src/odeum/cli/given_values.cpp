@@ -14,7 +14,7 @@ namespace odeum::cli {
 namespace {
 
 // The case with other values of some of its parameters. Throws UsageError.
-Case changed(const Case& c, const Assignments& sets) {
+Case changed(const Case& c, const Assignments& sets, const TruthBounds& bounds) {
   std::vector<std::string> names;
   std::vector<double> values;
   for (const Parameter& parameter : c.parameters) {
@@ -33,7 +33,7 @@ Case changed(const Case& c, const Assignments& sets) {
     values[static_cast<std::size_t>(at - names.begin())] = value;
   }
   try {
-    Case other = c.with_values(values);
+    Case other = c.with_values(values, bounds);
     other.id = c.id;
     return other;
   } catch (const std::invalid_argument& error) {
@@ -67,8 +67,8 @@ Assignments assignments(const char* option, const std::vector<std::string>& text
   return sets;
 }
 
-Case with_sets(const Case& c, const std::vector<std::string>& sets) {
-  return sets.empty() ? c : changed(c, assignments("--set", sets));
+Case with_sets(const Case& c, const std::vector<std::string>& sets, const TruthBounds& bounds) {
+  return sets.empty() ? c : changed(c, assignments("--set", sets), bounds);
 }
 
 // The values of --option, which the solver's library has to know.

@@ -113,8 +113,8 @@ Case case_before_truth(Session& session, const cases::Named& what, const Problem
     });
   require_no_choice(what.word(), options.chosen);
   require_no_inputs(what.word(), options);
-  const Case c = with_sets(find_case(what.word()), options.sets);
-  return options.span.given() ? cases::with_span(c, options.span) : c;
+  const Case c = with_sets(find_case(what.word()), options.sets, session.truth_bounds);
+  return options.span.given() ? cases::with_span(c, options.span, session.truth_bounds) : c;
 }
 
 Case case_of(Session& session, const std::string& what, const ProblemOptions& options,
@@ -123,7 +123,7 @@ Case case_of(Session& session, const std::string& what, const ProblemOptions& op
   return with_usage_errors(named, [&] {
     Case c = case_before_truth(session, named, options);
     if (before_truth) before_truth(c);
-    complete(c);
+    complete(c, session.truth_bounds);
     return c;
   });
 }

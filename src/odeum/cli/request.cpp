@@ -146,7 +146,7 @@ Case case_within(Session& session, const std::string& what, const ProblemOptions
                  const RunSettings& settings) {
   Case c = case_before_truth(session, cases::Named(what), options);
   check_span(settings, c.t0, c.end());
-  complete(c);
+  complete(c, session.truth_bounds);
   return c;
 }
 

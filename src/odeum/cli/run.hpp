@@ -102,8 +102,8 @@ Assignments assignments(const char* option, const std::vector<std::string>& text
 /// The values of --option, of options that the solver's library has. Throws UsageError.
 std::map<std::string, double> library_options(const RunOptions& options, const SolverInfo& info);
 
-/// The case with the values of --set. Throws UsageError.
-Case with_sets(const Case& c, const std::vector<std::string>& sets);
+/// The case with the values of --set, and its truth within the bounds. Throws UsageError.
+Case with_sets(const Case& c, const std::vector<std::string>& sets, const TruthBounds& bounds);
 
 /// The same for a case. Of a file, prints what was found in it, also where no solver is given.
 int run_case(Session& session, const cases::Named& what, const RunOptions& given);

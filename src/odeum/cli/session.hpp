@@ -25,6 +25,7 @@ struct Session {
   std::string content;                       ///< tells the files that were loaded from others
   std::map<std::string, std::string> words;  ///< by case of these files, those that name it
   shards::Assignment assignment;
+  TruthBounds truth_bounds;  ///< of the truths that the command asks for
 };
 
 /// The exit codes of the command-line contract.

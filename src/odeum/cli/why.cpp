@@ -100,8 +100,8 @@ int why_on(Session& session, const WhyOptions& options, const CLI::App& command)
   // A truth that takes longer is known in part, or not at all.
   constexpr double for_truth = 0.25, least = 0.5;
   const auto start = std::chrono::steady_clock::now();
-  const truth::Deadline deadline(
-      start + std::chrono::milliseconds(std::llround(1e3 * for_truth * options.seconds)));
+  session.truth_bounds.until =
+      start + std::chrono::milliseconds(std::llround(1e3 * for_truth * options.seconds));
   const Case c = case_within(session, options.what, options.problems, options.settings);
   if (c.problem.events && c.problem.events->isolated) require_no_events(c, "why");
   const RunSettings settings = settings_for(c, options.settings);

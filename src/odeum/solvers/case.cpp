@@ -12,8 +12,8 @@ Case& Case::operator=(const Case&) = default;
 Case& Case::operator=(Case&&) noexcept = default;
 Case::~Case() = default;
 
-void complete(Case& c) {
-  if (const auto compute = std::exchange(c.compute_truth, {})) compute(c);
+void complete(Case& c, const TruthBounds& bounds) {
+  if (const auto compute = std::exchange(c.compute_truth, {})) compute(c, bounds);
 }
 
 std::vector<std::string> tags_of(const Case& c) {

@@ -12,6 +12,7 @@
 
 #include "odeum/core/error_units.hpp"
 #include "odeum/core/request.hpp"
+#include "odeum/core/truth_bounds.hpp"
 #include "odeum/solvers/entrants.hpp"
 
 namespace odeum {
@@ -161,14 +162,14 @@ struct Case {
   /// truth included: a closed form follows, a reference file no longer holds. Throws
   /// std::invalid_argument for values that make no problem.
   std::vector<Parameter> parameters;
-  std::function<Case(const std::vector<double>& values)> with_values;
+  std::function<Case(const std::vector<double>& values, const TruthBounds& bounds)> with_values;
   /// Makes a family of the case with other values of its parameters, where they can change without
   /// a new case: on `samples` its problems were found to be those of with_values. None: they are
   /// not. Empty: there is no such function.
   std::function<std::optional<Family>(const std::vector<std::vector<double>>& samples)> family;
   /// Computes the truth where that takes long, and sets what follows from it: the stops at which it
   /// is known, the settings of studies, facts. Empty: that is done, see complete().
-  std::function<void(Case&)> compute_truth;
+  std::function<void(Case&, const TruthBounds& bounds)> compute_truth;
   /// The text that states the case; null: none does.
   std::shared_ptr<const cases::TextSource> text;
   ErasedContest problem;                            ///< on which the entrants are enrolled
@@ -198,10 +199,9 @@ struct Case {
   }
 };
 
-/// Computes the truth of a case that was made before it, under the deadline in force
-/// (truth::Deadline); nothing where it is there. Throws InputError for a statement that the truth
-/// contradicts (an invariant that is not kept).
-void complete(Case& c);
+/// Computes the truth of a case that was made before it; nothing where it is there. Throws
+/// InputError for a statement that the truth contradicts (an invariant that is not kept).
+void complete(Case& c, const TruthBounds& bounds = {});
 
 /// The words for the case's nature, and its tags that are none of these.
 std::vector<std::string> tags_of(const Case& c);

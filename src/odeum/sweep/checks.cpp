@@ -18,7 +18,7 @@ namespace {
 /// NaN where the run fails or nothing is known at the end.
 double error_of(const Plan& plan, std::uint64_t member) {
   try {
-    Case c = plan.base->with_values(parameters_of(plan, member));
+    Case c = plan.base->with_values(parameters_of(plan, member), {});
     const double end = plan.request.stops.back();
     truth::know_truth(c, {end});
     Request request = plan.request;

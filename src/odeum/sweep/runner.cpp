@@ -75,7 +75,7 @@ Outcome Runner::run(const std::vector<double>& values, const Request& request) {
     if (family_) {
       family_->place(values);
     } else {
-      case_ = plan_.base->with_values(values);
+      case_ = plan_.base->with_values(values, {});
       energy_ = case_.energy;
       y0_ = std::make_shared<const std::vector<double>>(case_.y0);
     }
@@ -89,7 +89,7 @@ MemberRow Runner::measure(const std::vector<double>& values) const {
   MemberRow row{.solver = plan_.solver, .status = to_string(Status::refused)};
   row.answer = row.status;
   const std::optional<std::string> fault = fault_in([&] {
-    Case member = plan_.base->with_values(values);
+    Case member = plan_.base->with_values(values, {});
     row = plan_.study->measure(member);
   });
   if (fault) row.detail = *fault;

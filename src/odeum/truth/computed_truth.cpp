@@ -50,14 +50,14 @@ std::string content_of(const Case& c) {
 
 }  // namespace
 
-Truth truth_at(const Case& c, const std::vector<double>& times) {
+Truth truth_at(const Case& c, const std::vector<double>& times, const TruthBounds& bounds) {
   std::vector<double> state(c.y0.size());
   const bool known =
       std::ranges::all_of(times, [&](double t) { return c.truth.at(t, state.data()); });
   if (known || !c.extended || c.problem.events) return c.truth;
-  const Reference reference = *kept_or_computed(content_of(c), state.size(), times, c.units, [&] {
-    return compute_reference(case_system(c), times, c.units);
-  });
+  const Reference reference =
+      *kept_or_computed(content_of(c), state.size(), times, c.units, bounds,
+                        [&] { return compute_reference(case_system(c), times, c.units, bounds); });
 
   const auto states = std::make_shared<std::map<double, std::vector<double>>>();
   Truth truth = c.truth;
@@ -94,9 +94,9 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
   return truth;
 }
 
-void know_truth(Case& c, const std::vector<double>& times) {
+void know_truth(Case& c, const std::vector<double>& times, const TruthBounds& bounds) {
   std::vector<double> state(c.y0.size());
-  if (!c.truth.at || !c.truth.at(times.back(), state.data())) c.truth = truth_at(c, times);
+  if (!c.truth.at || !c.truth.at(times.back(), state.data())) c.truth = truth_at(c, times, bounds);
 }
 
 }  // namespace odeum::truth

@@ -10,9 +10,9 @@ namespace odeum::truth {
 /// a reference computed in extended precision (truth/system.hpp), as far as one is found. `source`
 /// says what was computed and up to which time, or why nothing was. Without a right-hand side in
 /// extended precision, or with events, it is the case's own.
-Truth truth_at(const Case& c, const std::vector<double>& times);
+Truth truth_at(const Case& c, const std::vector<double>& times, const TruthBounds& bounds = {});
 
 /// Gives it to the case, unless its own is known at the last of the times.
-void know_truth(Case& c, const std::vector<double>& times);
+void know_truth(Case& c, const std::vector<double>& times, const TruthBounds& bounds = {});
 
 }  // namespace odeum::truth

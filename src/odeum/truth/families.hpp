@@ -20,6 +20,7 @@ struct Family {
 struct Comparison {
   Run a, b;
   bool spent = false;        ///< one of them ended for the work that it took
+  double seconds = 0;        ///< of both
   std::vector<State> apart;  ///< by time and component, as far as both came
   Real worst = 0;            ///< of those that are known
   std::size_t known = 0;     ///< times at which they agree

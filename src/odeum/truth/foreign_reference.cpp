@@ -84,7 +84,8 @@ class Samples final : public Insight {
 
 }  // namespace
 
-std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, std::string& why) {
+std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, std::string& why,
+                                      const TruthBounds& bounds) {
   const odeum_problem& p = given.functions;
   const std::size_t n = p.dimension;
   if (n > most_unknowns) {
@@ -119,7 +120,7 @@ std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, st
               "{}it asks for an event at the end of a step, at t = {:.6g}, so that "
               "its solution depends on the steps",
               none, t);
-        return to_text(compute_reference(system, stops, {given.scale}));
+        return to_text(compute_reference(system, stops, {given.scale}, bounds));
       },
       room, most_seconds);
   std::optional<Reference> reference;

@@ -16,6 +16,7 @@ inline constexpr double shortest_seen = 1e-4;
 /// extended precision over a right-hand side whose rounding is that of double, in a process of its
 /// own. Nothing, and `why`, where the problem is too large, or its code fails or takes longer than
 /// a minute.
-std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, std::string& why);
+std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, std::string& why,
+                                      const TruthBounds& bounds = {});
 
 }  // namespace odeum::truth

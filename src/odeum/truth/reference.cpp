@@ -26,8 +26,9 @@ constexpr std::size_t few = 64;  // states; with more, each comparison takes sec
 
 class Search {
  public:
-  Search(const System& system, const std::vector<double>& asked, const ErrorUnits& units)
-      : system_(from_zero(system)), t0_(system.t0), units_(units) {
+  Search(const System& system, const std::vector<double>& asked, const ErrorUnits& units,
+         const TruthBounds& bounds)
+      : system_(from_zero(system)), t0_(system.t0), units_(units), bounds_(bounds) {
     const Real span = asked.back() - t0_, beside = 1e-6L * span;
     const std::set<Real> stops(asked.begin(), asked.end());
     std::set<Real> all = stops;
@@ -66,7 +67,8 @@ class Search {
     // The second may be far dearer: a series steps over stiffness along a smooth solution.
     most_work_[1] = std::max(1e8, 30 * brief_work_);
     Comparison best = compare(ladder[at]);
-    if (best.spent && family_.first != radau_run && system_.has_jacobian() && !is_past(until_)) {
+    if (best.spent && family_.first != radau_run && system_.has_jacobian() &&
+        !is_past(bounds_.until)) {
       const Family before = std::exchange(family_, implicit_family);
       second_tolerance_ = -1;
       Comparison other = compare(ladder[at]);
@@ -78,12 +80,13 @@ class Search {
       }
     }
     most_work_[1] = 1e300;
-    if (best.spent && at > 0 && left_ > 0 && !is_past(until_)) {
+    if (best.spent && at > 0 && left_ > 0 && !is_past(bounds_.until)) {
       Comparison other = compare(ladder[0]);
       if (is_better(other, best)) best = std::move(other);
     }
     for (std::size_t k = at + 1; k < ladder.size() && !best.spent; ++k) {
-      if (is_past(until_) || is_enough(best) || !is_affordable(best, ladder[k - 1], ladder[k]))
+      if (is_past(bounds_.until) || is_enough(best) ||
+          !is_affordable(best, ladder[k - 1], ladder[k]))
         break;
       // The power of the tolerance gives three at most; steps that rounding makes short take more.
       if (many) most_work_ = {4 * best.a.work, 4 * best.b.work};
@@ -102,7 +105,7 @@ class Search {
     if (c.known < times_.size()) return false;
     const Real size = size_of(c);
     return c.worst <= (system_.states > few ? 1e-13L : 0x1p-60L) * size ||
-           safety_of(system_) * c.worst <= Accuracy::in_force();
+           safety_of(system_) * c.worst <= bounds_.error;
   }
 
   /// Operations of a method to a tolerance, from those to another one.
@@ -132,7 +135,7 @@ class Search {
                         .budget = left_ / 4,
                         .inspect = found_,
                         .disturb = !system_.mode_at || rounds_at_events(),
-                        .until = until_};
+                        .until = bounds_.until};
     if (system_.mode_at) return run_across(family_.for_moved, system_, elapsed_, effort, true);
     System moved = system_;
     moved.rhs = system_.moved_rhs;
@@ -145,10 +148,11 @@ class Search {
 
   Comparison compare(Real tolerance) {
     Comparison c;
+    const Moment start = std::chrono::steady_clock::now();
     Effort effort{.tolerance = tolerance,
                   .budget = static_cast<double>(share * left_),
                   .inspect = found_ || tolerance > inspected_,
-                  .until = until_};
+                  .until = bounds_.until};
     // Where `first` has missed nothing, and `second` agrees, that has missed nothing either.
     Effort of_second = effort;
     of_second.tolerance = std::max(tolerance, family_.finest);
@@ -175,7 +179,8 @@ class Search {
     }
     second_tolerance_ = of_second.tolerance;
     c.b = second_;
-    c.spent = c.a.work > effort.budget || c.b.work > of_second.budget;
+    c.spent = c.a.work > effort.budget || c.b.work > of_second.budget || is_past(bounds_.until);
+    c.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::size_t both = std::min(c.a.states.size(), c.b.states.size());
     Real size = size_of(system_.y0);
     while (c.known < both) {
@@ -208,7 +213,7 @@ class Search {
           (family.first == radau_run && !system_.has_jacobian()))
         continue;
       const Run run =
-          this->run(family.first, {.tolerance = brief, .budget = work, .until = until_});
+          this->run(family.first, {.tolerance = brief, .budget = work, .until = bounds_.until});
       left_ -= run.work;
       const bool arrived = run.end.empty();
       if (run.reached < farthest || (run.reached == farthest && !arrived)) continue;
@@ -245,6 +250,9 @@ class Search {
       r.floors.emplace_back(floors.begin(), floors.end());
     }
     if (r.end.empty() && best.known < times_.size()) r.end = why(best);
+    if (best.spent && best.known == std::min(best.a.states.size(), best.b.states.size()))
+      r.spent_at = static_cast<double>(t0_ + std::min(best.a.reached, best.b.reached));
+    r.seconds = best.seconds;
     const Real first = best.a.ends_at, second = best.b.ends_at, margin = 1e-6L * elapsed_.back();
     if (std::isfinite(first) && std::abs(first - second) <= margin)
       r.ends_at = static_cast<double>(t0_ + std::max(first, second) + margin);
@@ -263,7 +271,7 @@ class Search {
   System system_;  ///< with the time since the start
   Real t0_;
   const ErrorUnits& units_;
-  const Moment until_ = Deadline::in_force();
+  const TruthBounds bounds_;
   std::vector<Real> times_, elapsed_;  ///< the latter since the start
   Family family_{};
   /// Operations that may still be spent, of one or two nanoseconds each.
@@ -280,8 +288,8 @@ class Search {
 }  // namespace
 
 Reference compute_reference(const System& system, const std::vector<double>& times,
-                            const ErrorUnits& units) {
-  return Search(system, times, units).find();
+                            const ErrorUnits& units, const TruthBounds& bounds) {
+  return Search(system, times, units, bounds).find();
 }
 
 }  // namespace odeum::truth

@@ -47,14 +47,15 @@ Problem problem_of(const SceneProblem& whole, const Part& part) {
 /// The states of a part at the times: on its straight way, by a reference as long as it lives.
 class Motion {
  public:
-  Motion(const SceneProblem& whole, const Part& part, const std::vector<double>& times)
+  Motion(const SceneProblem& whole, const Part& part, const std::vector<double>& times,
+         const TruthBounds& bounds)
       : part_(part), problem_(problem_of(whole, part)) {
     std::vector<double> asked;
     for (const double t : times)
       if (t > part.birth() && t < part.life.death) asked.push_back(t - part.birth());
     if (!times.empty() && part.life.death <= times.back())
       asked.push_back(part.life.death - part.birth());
-    if (!asked.empty()) reference_ = compute_reference(system_of(problem_), asked, {});
+    if (!asked.empty()) reference_ = compute_reference(system_of(problem_), asked, {}, bounds);
   }
 
   const Reference& reference() const { return reference_; }
@@ -90,13 +91,14 @@ class Motion {
 
 }  // namespace
 
-Reference reference_of(const Problem& problem, const std::vector<double>& times) {
-  if (problem->lives().empty()) return compute_reference(system_of(problem), times, {});
+Reference reference_of(const Problem& problem, const std::vector<double>& times,
+                       const TruthBounds& bounds) {
+  if (problem->lives().empty()) return compute_reference(system_of(problem), times, {}, bounds);
   const std::vector<Part> parts = parts_of(*problem);
   std::vector<std::unique_ptr<Motion>> motions(parts.size());
   constexpr unsigned at_once = 2;  // each reference runs up to three methods at once
   parallel_for(parts.size(), at_once, [&](std::size_t i) {
-    motions[i] = std::make_unique<Motion>(*problem, parts[i], times);
+    motions[i] = std::make_unique<Motion>(*problem, parts[i], times, bounds);
   });
   Reference whole;
   for (const auto& motion : motions) {

@@ -16,7 +16,7 @@ System system_of(const std::shared_ptr<const scene::SceneProblem>& problem);
 /// A reference of a scene at the times (ascending, after 0). Emitted particles, which touch no
 /// other ones, are computed one by one, each from its birth to its death.
 Reference reference_of(const std::shared_ptr<const scene::SceneProblem>& problem,
-                       const std::vector<double>& times);
+                       const std::vector<double>& times, const TruthBounds& bounds = {});
 
 /// Operations of one evaluation of its forces and of a step's vectors, estimated from its terms.
 double work_of(const scene::SceneProblem& problem);

@@ -72,7 +72,8 @@ std::optional<Reference> from_text(const std::string& text, std::size_t states) 
 
 std::optional<Reference> kept_or_computed(
     std::string content, std::size_t states, const std::vector<double>& stops,
-    const ErrorUnits& units, const std::function<std::optional<Reference>()>& compute) {
+    const ErrorUnits& units, const TruthBounds& bounds,
+    const std::function<std::optional<Reference>()>& compute) {
   content += fmt::format("\n{}\n{} {} {}", build::truth_code, fmt::join(stops, " "),
                          fmt::join(units.scale, " "), fmt::join(units.relative_from, " "));
   std::string name = formula::content_key(content) + ".reference";
@@ -81,13 +82,12 @@ std::optional<Reference> kept_or_computed(
     return text ? from_text(*text, states) : std::nullopt;
   };
   if (auto finest = held()) return finest;
-  if (const double accuracy = Accuracy::in_force(); accuracy > 0) {
-    name = formula::content_key(content + fmt::format("\n{}", accuracy)) + ".reference";
+  if (bounds.error > 0) {
+    name = formula::content_key(content + fmt::format("\n{}", bounds.error)) + ".reference";
     if (auto enough = held()) return enough;
   }
-  const Moment until = Deadline::in_force();
   std::optional<Reference> reference = compute();
-  if (reference && !is_past(until)) formula::keep_text(name, to_text(*reference));
+  if (reference && !is_past(bounds.until)) formula::keep_text(name, to_text(*reference));
   return reference;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <functional>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "odeum/core/error_units.hpp"
+#include "odeum/core/truth_bounds.hpp"
 #include "odeum/problem/events.hpp"
 #include "odeum/problem/sparsity.hpp"
 
@@ -162,7 +162,7 @@ struct Run {
   }
 };
 
-using Moment = std::chrono::steady_clock::time_point;
+using Moment = TruthBounds::Moment;
 
 /// What a run may cost and how accurate each of its steps is to be.
 struct Effort {
@@ -171,7 +171,7 @@ struct Effort {
   bool inspect = false;             ///< look into each step
   Real span = 0;                    ///< of the whole, of which a run is a part; 0: it is the whole
   bool disturb = false;             ///< change each state by `moved_by` of itself after a step
-  Moment until = Moment::max();     ///< see Deadline
+  Moment until = Moment::max();     ///< see TruthBounds
   Real parts = 50;                  ///< of the span, one of which no step is longer than
   Watched* watched = nullptr;       ///< sees each step; null: nothing does
   Real least_part = 1e-6L;          ///< of the largest size, by which small components are measured
@@ -204,37 +204,7 @@ System from_zero(const System& system);
 Run run_across(Method method, const System& system, const std::vector<Real>& times,
                const Effort& effort, bool moved);
 
-/// While alive, bounds every reference whose computation begins, on any thread. One that is cut
-/// short has what two methods agree on so far, to fewer digits or up to an earlier time, and is not
-/// kept.
-class Deadline {
- public:
-  explicit Deadline(Moment until) : before_(in_force_.exchange(until)) {}
-  ~Deadline() { in_force_ = before_; }
-  Deadline(const Deadline&) = delete;
-  Deadline& operator=(const Deadline&) = delete;
-  static Moment in_force() { return in_force_; }
-
- private:
-  static inline std::atomic<Moment> in_force_{Moment::max()};
-  Moment before_;
-};
 inline bool is_past(Moment moment) { return std::chrono::steady_clock::now() > moment; }
-
-/// While alive, references on any thread need to be known no better than to this error, in the
-/// units of their errors.
-class Accuracy {
- public:
-  explicit Accuracy(double error) : before_(in_force_.exchange(error)) {}
-  ~Accuracy() { in_force_ = before_; }
-  Accuracy(const Accuracy&) = delete;
-  Accuracy& operator=(const Accuracy&) = delete;
-  static double in_force() { return in_force_; }  ///< 0: as well as can be
-
- private:
-  static inline std::atomic<double> in_force_{0};
-  double before_;
-};
 
 /// A computed reference.
 struct Reference {
@@ -246,6 +216,10 @@ struct Reference {
   std::string end;         ///< why nothing is known beyond; empty: all is known
   /// After this time there is no solution: its slope grows without bound; infinite: not known.
   double ends_at = std::numeric_limits<double>::infinity();
+  /// Where the work or the seconds were spent before the end: the time to which both methods came
+  /// in `seconds`; not kept.
+  double spent_at = std::numeric_limits<double>::infinity();
+  double seconds = 0;
   std::string methods;      ///< which two, in words
   double disagreement = 0;  ///< largest over the times, of a component over its unit
 };
@@ -257,7 +231,7 @@ struct Reference {
 /// is `concurrent`, up to three threads call its functions. Throws Interrupted, and what they
 /// throw.
 Reference compute_reference(const System& system, const std::vector<double>& times,
-                            const ErrorUnits& units);
+                            const ErrorUnits& units, const TruthBounds& bounds = {});
 
 /// As text, to be kept in a file, and back; nothing for a text that is damaged or of other sizes.
 std::string to_text(const Reference& reference);
@@ -267,6 +241,7 @@ std::optional<Reference> from_text(const std::string& text, std::size_t states);
 /// kept there; nothing where none could be computed.
 std::optional<Reference> kept_or_computed(std::string content, std::size_t states,
                                           const std::vector<double>& stops, const ErrorUnits& units,
+                                          const TruthBounds& bounds,
                                           const std::function<std::optional<Reference>()>& compute);
 
 }  // namespace odeum::truth
