@@ -185,6 +185,15 @@ std::string other_purpose(const Node& root) {
   return "the model is not for Model Exchange";
 }
 
+/// The name of the binaries for a purpose.
+std::string name_of_file(const Node& purpose) {
+  std::string name = purpose.attribute("modelIdentifier").as_string();
+  if (name.empty() || name.find_first_of("/\\") != std::string::npos)
+    refuse(fmt::format("modelIdentifier: got \"{}\", expected a name",
+                       foreign::cleaned(name.c_str())));
+  return name;
+}
+
 /// What it says of events.
 void read_events(const Node& root, const Node& exchange, Description& d) {
   d.indicators = number_of<std::uint32_t>(root, "numberOfEventIndicators", 0);
@@ -230,10 +239,9 @@ Description read_description(const std::string& xml) {
   if (!exchange) refuse(other_purpose(root));
   d.model = text_of(root, "modelName");
   d.text = text_of(root, "description");
-  d.identifier = exchange.attribute("modelIdentifier").as_string();
-  if (d.identifier.empty() || d.identifier.find_first_of("/\\") != std::string::npos)
-    refuse(fmt::format("modelIdentifier: got \"{}\", expected a name",
-                       foreign::cleaned(d.identifier.c_str())));
+  d.identifier = name_of_file(exchange);
+  if (const Node own = root.child("CoSimulation"); own && !flag(own, "needsExecutionTool"))
+    d.co_simulation = name_of_file(own);
   d.token = root.attribute(d.version == 2 ? "guid" : "instantiationToken").as_string();
   d.directional_derivatives = flag(exchange, d.version == 2 ? "providesDirectionalDerivative"
                                                             : "providesDirectionalDerivatives");

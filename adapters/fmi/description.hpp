@@ -25,6 +25,7 @@ struct Variable {
 struct Description {
   int version = 2;  ///< of FMI: 2 or 3
   std::string model, text, identifier, token;
+  std::string co_simulation;  ///< its identifier with an integrator of its own; empty: it has none
   bool directional_derivatives = false;
   double t0 = 0, stop = 0;
   bool stop_is_given = false;

@@ -40,6 +40,7 @@ using SetInteger = int (*)(void*, const unsigned* references, std::size_t n, con
 using NewDiscreteStates = int (*)(void*, Said*);
 using CompletedStep = int (*)(void*, int no_return, int* event_mode, int* terminate);
 using SetTime = int (*)(void*, double t);
+using DoStep = int (*)(void*, double t, double h, int no_return);
 using SetStates = int (*)(void*, const double* y, std::size_t n);
 using GetReal = int (*)(void*, const unsigned* references, std::size_t n, double* values);
 using GetInteger = int (*)(void*, const unsigned* references, std::size_t n, int* values);
@@ -59,32 +60,36 @@ void note(void*, const char*, int status, const char*, const char* message, ...)
   last_message() = foreign::cleaned(text.data());
 }
 
-constexpr int model_exchange = 0;
-
 class Fmi2 final : public Model {
  public:
-  Fmi2(const Description& d, const Binary& binary, const std::filesystem::path& folder,
-       const Values& values, const Inputs* inputs)
-      : Model("fmi2", d, binary, inputs),
-        set_time_(binary.function<SetTime>("fmi2SetTime")),
-        complete_step_(binary.function<CompletedStep>("fmi2CompletedIntegratorStep")) {
+  Fmi2(Purpose purpose, const Description& d, const Binary& binary,
+       const std::filesystem::path& folder, const Values& values, const Inputs* inputs)
+      : Model("fmi2", d, binary, inputs) {
     const std::string version = binary.function<GetVersion>("fmi2GetVersion")();
     if (version != "2.0")
       throw LoadError(fmt::format("its binary is of FMI version \"{}\", its description of 2.0",
                                   foreign::cleaned(version.c_str())));
-    if (!d.states.empty()) {
+    const bool steps_itself = purpose == Purpose::co_simulation;
+    if (steps_itself) {
+      do_step_ = binary.function<DoStep>("fmi2DoStep");
+    } else {
+      set_time_ = binary.function<SetTime>("fmi2SetTime");
+      complete_step_ = binary.function<CompletedStep>("fmi2CompletedIntegratorStep");
+    }
+    if (!steps_itself && !d.states.empty()) {
       set_states_ = binary.function<SetStates>("fmi2SetContinuousStates");
       derivatives_ = binary.function<GetNumbers>("fmi2GetDerivatives");
     }
     static const Callbacks callbacks{note, std::calloc, std::free, nullptr, nullptr};
     const std::string resources = "file://" + (folder / "resources").string();
-    self_ = binary.function<Instantiate>("fmi2Instantiate")(
-        d.model.c_str(), model_exchange, d.token.c_str(), resources.c_str(), &callbacks, 0, 0);
+    self_ = binary.function<Instantiate>("fmi2Instantiate")(d.model.c_str(), steps_itself ? 1 : 0,
+                                                            d.token.c_str(), resources.c_str(),
+                                                            &callbacks, 0, 0);
     if (!self_)
       throw LoadError(fmt::format("fmi2Instantiate failed{}{}", last_message().empty() ? "" : ": ",
                                   last_message()));
-    initialise(values);
-    if (d.directional_derivatives && has_states) {
+    initialise(purpose, values);
+    if (!steps_itself && d.directional_derivatives && has_states) {
       directional_ = binary.function<Directional>("fmi2GetDirectionalDerivative");
       for (const std::size_t i : d.states) states_.push_back(d.variables[i].reference);
       for (const std::size_t i : d.derivatives) rates_.push_back(d.variables[i].reference);
@@ -145,6 +150,10 @@ class Fmi2 final : public Model {
     event = event_mode != 0, terminate = end != 0;
     return status;
   }
+  bool do_step(double t, double h) override {
+    require(do_step_(self_, t, h, 1), "fmi2DoStep");
+    return true;
+  }
   std::size_t count_states() override { return description_.states.size(); }
   std::size_t count_indicators() override {
     get_indicators_ = binary_.function<GetNumbers>("fmi2GetEventIndicators");
@@ -162,8 +171,9 @@ class Fmi2 final : public Model {
     return wrong(directional_(self_, rates_.data(), rates_.size(), &states_[k], 1, &one, out));
   }
 
-  SetTime set_time_;
-  CompletedStep complete_step_;
+  DoStep do_step_ = nullptr;
+  SetTime set_time_ = nullptr;
+  CompletedStep complete_step_ = nullptr;
   SetStates set_states_ = nullptr;
   SetReal set_real_ = nullptr;
   GetNumbers derivatives_ = nullptr, get_indicators_ = nullptr;
@@ -173,10 +183,10 @@ class Fmi2 final : public Model {
 
 }  // namespace
 
-std::unique_ptr<Model> make_model2(const Description& d, const Binary& binary,
+std::unique_ptr<Model> make_model2(Purpose purpose, const Description& d, const Binary& binary,
                                    const std::filesystem::path& folder, const Values& values,
                                    const Inputs* inputs) {
-  return std::make_unique<Fmi2>(d, binary, folder, values, inputs);
+  return std::make_unique<Fmi2>(purpose, d, binary, folder, values, inputs);
 }
 
 }  // namespace odeum::adapters::fmi

@@ -18,6 +18,12 @@ using Logger = void (*)(void* environment, int status, const char* category, con
 using GetVersion = const char* (*)();
 using Instantiate = void* (*)(const char* name, const char* token, const char* resources,
                               bool visible, bool logging, void* environment, Logger);
+using InstantiateSteps = void* (*)(const char* name, const char* token, const char* resources,
+                                   bool visible, bool logging, bool event_mode, bool early_return,
+                                   const std::uint32_t* intermediate, std::size_t,
+                                   void* environment, Logger, void* intermediate_update);
+using DoStep = int (*)(void*, double t, double h, bool no_return, bool* event, bool* terminate,
+                       bool* early, double* reached);
 using EnterInitialisation = int (*)(void*, bool tolerance_defined, double tolerance, double start,
                                     bool stop_defined, double stop);
 using UpdateDiscreteStates = int (*)(void*, bool* more_needed, bool* terminate, bool* nominals,
@@ -53,27 +59,38 @@ constexpr const char* type_name() {
 
 class Fmi3 final : public Model {
  public:
-  Fmi3(const Description& d, const Binary& binary, const std::filesystem::path& folder,
-       const Values& values, const Inputs* inputs)
-      : Model("fmi3", d, binary, inputs),
-        set_time_(binary.function<SetTime>("fmi3SetTime")),
-        complete_step_(binary.function<CompletedStep>("fmi3CompletedIntegratorStep")) {
+  Fmi3(Purpose purpose, const Description& d, const Binary& binary,
+       const std::filesystem::path& folder, const Values& values, const Inputs* inputs)
+      : Model("fmi3", d, binary, inputs) {
     const std::string version = binary.function<GetVersion>("fmi3GetVersion")();
     if (!version.starts_with("3."))
       throw LoadError(fmt::format("its binary is of FMI version \"{}\", its description of 3.0",
                                   foreign::cleaned(version.c_str())));
-    if (!d.states.empty()) {
+    const bool steps_itself = purpose == Purpose::co_simulation;
+    if (steps_itself) {
+      do_step_ = binary.function<DoStep>("fmi3DoStep");
+    } else {
+      set_time_ = binary.function<SetTime>("fmi3SetTime");
+      complete_step_ = binary.function<CompletedStep>("fmi3CompletedIntegratorStep");
+    }
+    if (!steps_itself && !d.states.empty()) {
       set_states_ = binary.function<SetStates>("fmi3SetContinuousStates");
       derivatives_ = binary.function<GetNumbers>("fmi3GetContinuousStateDerivatives");
     }
     const std::string resources = (folder / "resources").string() + "/";
-    self_ = binary.function<Instantiate>("fmi3InstantiateModelExchange")(
-        d.model.c_str(), d.token.c_str(), resources.c_str(), false, false, nullptr, note);
+    const char* const maker =
+        steps_itself ? "fmi3InstantiateCoSimulation" : "fmi3InstantiateModelExchange";
+    self_ = steps_itself ? binary.function<InstantiateSteps>(maker)(
+                               d.model.c_str(), d.token.c_str(), resources.c_str(), false, false,
+                               false, false, nullptr, 0, nullptr, note, nullptr)
+                         : binary.function<Instantiate>(maker)(d.model.c_str(), d.token.c_str(),
+                                                               resources.c_str(), false, false,
+                                                               nullptr, note);
     if (!self_)
-      throw LoadError(fmt::format("fmi3InstantiateModelExchange failed{}{}",
-                                  last_message().empty() ? "" : ": ", last_message()));
-    initialise(values);
-    if (d.directional_derivatives && has_states && !d.has_arrays) {
+      throw LoadError(
+          fmt::format("{} failed{}{}", maker, last_message().empty() ? "" : ": ", last_message()));
+    initialise(purpose, values);
+    if (!steps_itself && d.directional_derivatives && has_states && !d.has_arrays) {
       directional_ = binary.function<Directional>("fmi3GetDirectionalDerivative");
       for (const std::size_t i : d.states) states_.push_back(d.variables[i].reference);
       for (const std::size_t i : d.derivatives) rates_.push_back(d.variables[i].reference);
@@ -125,6 +142,12 @@ class Fmi3 final : public Model {
   int complete_step(bool& event, bool& terminate) override {
     return complete_step_(self_, true, &event, &terminate);
   }
+  bool do_step(double t, double h) override {
+    bool event = false, terminate = false, early = false;
+    double reached = t + h;
+    require(do_step_(self_, t, h, true, &event, &terminate, &early, &reached), "fmi3DoStep");
+    return !terminate;
+  }
   std::size_t count(const char* name) {
     constexpr std::size_t most = 1'000'000;
     std::size_t n = 0;
@@ -157,8 +180,9 @@ class Fmi3 final : public Model {
     return wrong(directional_(self_, rates_.data(), n, &states_[k], 1, &one, 1, out, n));
   }
 
-  SetTime set_time_;
-  CompletedStep complete_step_;
+  DoStep do_step_ = nullptr;
+  SetTime set_time_ = nullptr;
+  CompletedStep complete_step_ = nullptr;
   SetStates set_states_ = nullptr;
   GetNumbers derivatives_ = nullptr, get_indicators_ = nullptr;
   Directional directional_ = nullptr;
@@ -167,10 +191,10 @@ class Fmi3 final : public Model {
 
 }  // namespace
 
-std::unique_ptr<Model> make_model3(const Description& d, const Binary& binary,
+std::unique_ptr<Model> make_model3(Purpose purpose, const Description& d, const Binary& binary,
                                    const std::filesystem::path& folder, const Values& values,
                                    const Inputs* inputs) {
-  return std::make_unique<Fmi3>(d, binary, folder, values, inputs);
+  return std::make_unique<Fmi3>(purpose, d, binary, folder, values, inputs);
 }
 
 }  // namespace odeum::adapters::fmi

@@ -11,6 +11,7 @@
 #include "fmi/model.hpp"
 #include "odeum/isolated/kept_arithmetic.hpp"
 #include "odeum/problem/events.hpp"
+#include "odeum/solvers/solver.hpp"
 
 namespace odeum::adapters::fmi {
 
@@ -33,7 +34,8 @@ struct Fmu {
   Model& model() {
     if (!model_) {
       const isolated::KeptArithmetic kept;
-      model_ = make_model(description, folder.path(), values, inputs ? &*inputs : nullptr);
+      model_ = make_model(Purpose::model_exchange, description, folder.path(), values,
+                          inputs ? &*inputs : nullptr);
     }
     return *model_;
   }
@@ -57,6 +59,10 @@ std::vector<double> nominal_sizes(const Description& description);
 std::vector<std::pair<std::string, std::string>> facts_of(const Fmu& fmu,
                                                           const std::vector<std::string>& names,
                                                           bool has_jacobian);
+
+/// The integrator that it brings, as a solver of fixed communication steps: `fmu/co_simulation`.
+/// The FMU has to be one.
+Entrant co_simulation_of(const std::shared_ptr<Fmu>& fmu);
 
 /// Its events for runs, one of which at a time has the model; null: it has none. The FMU has to
 /// outlive them.

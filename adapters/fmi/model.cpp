@@ -28,18 +28,19 @@ constexpr const char* platforms[] = {"unknown", "unknown"};
 
 }  // namespace
 
-Binary::Binary(const Description& d, const fs::path& folder) {
+Binary::Binary(Purpose purpose, const Description& d, const fs::path& folder) {
+  const std::string& name = purpose == Purpose::co_simulation ? d.co_simulation : d.identifier;
   const std::string platform = platforms[d.version - 2];
-  const fs::path file = folder / "binaries" / platform / (d.identifier + ".so");
+  const fs::path file = folder / "binaries" / platform / (name + ".so");
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) {
     std::set<std::string> others;
     for (const auto& entry : fs::directory_iterator(folder / "binaries", ignored))
       others.insert(entry.path().filename().string());
-    throw LoadError(fmt::format(
-        "has no binary for this machine: no binaries/{}/{}.so; {}", platform, d.identifier,
-        others.empty() ? "it has none at all"
-                       : fmt::format("it has those for {}", fmt::join(others, ", "))));
+    throw LoadError(
+        fmt::format("has no binary for this machine: no binaries/{}/{}.so; {}", platform, name,
+                    others.empty() ? "it has none at all"
+                                   : fmt::format("it has those for {}", fmt::join(others, ", "))));
   }
   handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle_) throw LoadError(fmt::format("cannot be loaded: {}", dlerror()));
@@ -97,12 +98,18 @@ int Model::indicate(double t, const double* y, double* values) {
 int Model::observe(double t, double* y) {
   if (has_states) return 0;
   if (const int failed = place(t, y)) return failed;
-  read_outputs(y);
+  read(description_.outputs, y);
   return 0;
 }
 
-void Model::read_outputs(double* y) {
-  for (const std::size_t i : description_.outputs) *y++ = get(description_.variables[i]);
+void Model::read(const std::vector<std::size_t>& variables, double* y) {
+  for (const std::size_t i : variables) *y++ = get(description_.variables[i]);
+}
+
+void Model::step(double t, double h, double* y) {
+  if (inputs_) set_inputs(t);
+  if (!do_step(t, h)) throw LoadError("the model ends its simulation");
+  read(has_states ? description_.states : description_.outputs, y);
 }
 
 void Model::call(const char* name) {
@@ -130,11 +137,21 @@ bool Model::step_asks() {
   return event || end;
 }
 
-void Model::initialise(const Values& values) {
+void Model::begin_steps() {
+  if (description_.has_arrays)
+    throw LoadError("co-simulation: its states are arrays, which are not read");
+  has_states = !description_.states.empty();
+  const std::vector<std::size_t>& shown = has_states ? description_.states : description_.outputs;
+  y0.resize(shown.size());
+  read(shown, y0.data());
+}
+
+void Model::initialise(Purpose purpose, const Values& values) {
   for (const Setting& setting : settings_of(description_, values)) set(setting);
   if (inputs_) set_inputs(description_.t0);
   enter_initialisation();
   call("ExitInitializationMode");
+  if (purpose == Purpose::co_simulation) return begin_steps();
   start = update();
   if (start.terminate) throw LoadError("ends its simulation when it is initialised");
   call("EnterContinuousTimeMode");
@@ -144,7 +161,7 @@ void Model::initialise(const Values& values) {
   event_ = description_.t0;
   y0.resize(has_states ? n : description_.outputs.size());
   if (y0.empty()) throw LoadError("the model has no continuous states, and no outputs in numbers");
-  if (!has_states) return read_outputs(y0.data());
+  if (!has_states) return read(description_.outputs, y0.data());
   asks_at_start = step_asks();
   require(get_states(y0.data()), prefix_ + "GetContinuousStates");
 }
@@ -164,7 +181,7 @@ EventInfo Model::happen(double t, double* y, double jump) {
   const EventInfo info = update();
   if (!info.terminate) call("EnterContinuousTimeMode");
   if (!has_states)
-    read_outputs(y);
+    read(description_.outputs, y);
   else if (info.states)
     require(get_states(y), prefix_ + "GetContinuousStates");
   return info;
@@ -211,12 +228,12 @@ void require(int status, const std::string& function) {
                               last_message().empty() ? "" : ": ", last_message()));
 }
 
-std::unique_ptr<Model> make_model(const Description& d, const fs::path& folder,
+std::unique_ptr<Model> make_model(Purpose purpose, const Description& d, const fs::path& folder,
                                   const Values& values, const Inputs* inputs) {
-  const Binary binary(d, folder);
+  const Binary binary(purpose, d, folder);
   last_message().clear();
-  return d.version == 2 ? make_model2(d, binary, folder, values, inputs)
-                        : make_model3(d, binary, folder, values, inputs);
+  return d.version == 2 ? make_model2(purpose, d, binary, folder, values, inputs)
+                        : make_model3(purpose, d, binary, folder, values, inputs);
 }
 
 }  // namespace odeum::adapters::fmi

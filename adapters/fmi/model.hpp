@@ -16,11 +16,15 @@ namespace odeum::adapters::fmi {
 class Inputs;
 using Values = std::map<std::string, std::string>;
 
+/// Whether the model is integrated by others, or integrates itself from one communication point to
+/// the next (co-simulation).
+enum class Purpose { model_exchange, co_simulation };
+
 /// A shared object of an FMU, never unloaded.
 class Binary {
  public:
   /// Throws LoadError where there is none for this machine or it cannot be loaded.
-  Binary(const Description& description, const std::filesystem::path& folder);
+  Binary(Purpose purpose, const Description& description, const std::filesystem::path& folder);
 
   void* found(const std::string& name) const;  ///< null: it exports no such function
   /// Throws LoadError where it exports no such function.
@@ -67,6 +71,10 @@ class Model {
   /// Event mode at t: y becomes the state after it. Inputs that jump at `jump` have the values from
   /// then on. Throws LoadError where a function fails.
   EventInfo happen(double t, double* y, double jump);
+  /// In co-simulation: integrates from t to t + h, where y becomes the state. Inputs have the
+  /// values of t in between. Throws LoadError where that fails, or the model ends its simulation.
+  void step(double t, double h, double* y);
+
   /// At the end of an accepted step: whether the model asks for an event, or for the end. Throws
   /// LoadError likewise.
   bool completes(double t, const double* y);
@@ -75,8 +83,9 @@ class Model {
   /// `inputs` has to outlive this; null: they are held.
   Model(std::string prefix, const Description& d, const Binary& binary, const Inputs* inputs)
       : prefix_(std::move(prefix)), description_(d), binary_(binary), inputs_(inputs) {}
-  /// From the initialisation to continuous-time mode, with these values. Throws LoadError.
-  void initialise(const Values& values);
+  /// From the initialisation to continuous-time mode, with these values; in co-simulation to its
+  /// first step. Throws LoadError.
+  void initialise(Purpose purpose, const Values& values);
 
   static int wrong(int status) { return status > 1 ? status : 0; }
   /// Calls a function that has no arguments but the instance.
@@ -96,6 +105,8 @@ class Model {
   virtual int column(std::size_t k, double* out) = 0;
   virtual int update_discrete_states(EventInfo& info) = 0;
   virtual int complete_step(bool& event, bool& terminate) = 0;
+  /// False: the model is to end.
+  virtual bool do_step(double t, double h) = 0;
 
   const std::string prefix_;  ///< of the names of functions
   const Description& description_;
@@ -104,7 +115,8 @@ class Model {
 
  private:
   int place(double t, const double* y);
-  void read_outputs(double* y);
+  void read(const std::vector<std::size_t>& variables, double* y);
+  void begin_steps();
   EventInfo update();
   bool step_asks();
   void set_inputs(double t);
@@ -117,15 +129,15 @@ class Model {
 
 /// Loads and initialises a model with these values of its variables. Throws LoadError, without a
 /// file name, where it fails, or a value cannot be set.
-std::unique_ptr<Model> make_model(const Description& description,
+std::unique_ptr<Model> make_model(Purpose purpose, const Description& description,
                                   const std::filesystem::path& folder, const Values& values,
                                   const Inputs* inputs);
-std::unique_ptr<Model> make_model2(const Description& description, const Binary& binary,
-                                   const std::filesystem::path& folder, const Values& values,
-                                   const Inputs* inputs);
-std::unique_ptr<Model> make_model3(const Description& description, const Binary& binary,
-                                   const std::filesystem::path& folder, const Values& values,
-                                   const Inputs* inputs);
+std::unique_ptr<Model> make_model2(Purpose purpose, const Description& description,
+                                   const Binary& binary, const std::filesystem::path& folder,
+                                   const Values& values, const Inputs* inputs);
+std::unique_ptr<Model> make_model3(Purpose purpose, const Description& description,
+                                   const Binary& binary, const std::filesystem::path& folder,
+                                   const Values& values, const Inputs* inputs);
 
 std::vector<Setting> settings_of(const Description& description, const Values& values);
 

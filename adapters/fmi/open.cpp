@@ -204,6 +204,7 @@ foreign::ProblemCallbacks open(const std::string& file, const Values& values,
   given.facts = facts_of(*fmu, given.components, given.functions.jacobian != nullptr);
   given.events = events_of(*fmu);
   if (fmu->inputs) given.switches = fmu->inputs->kinks();
+  if (!d.co_simulation.empty()) given.own_solvers.push_back(co_simulation_of(fmu));
   if (!fmu->has_states)
     given.no_truth = "it has no continuous states, and its outputs are read from it";
   return given;

@@ -28,13 +28,19 @@ struct Held {
   foreign::Problem problem;
 };
 
-Entrants enroll_isolated(const ErasedContest& contest) {
-  return enroll(contest, [n = contest.view.dimension](Entrant& entrant) {
+Entrants enroll_isolated(const ErasedContest& contest, const std::vector<Entrant>& own) {
+  const auto isolate = [n = contest.view.dimension](Entrant& entrant) {
     entrant.solve = [n, solve = std::move(entrant.solve),
                      ended = std::make_shared<isolated::Ended>()](const Request& request) {
       return isolated::solve_isolated(solve, request, n, *ended);
     };
-  });
+  };
+  Entrants entrants = enroll(contest, isolate);
+  for (Entrant entrant : own) {
+    isolate(entrant);
+    entrants.add(std::move(entrant));
+  }
+  return entrants;
 }
 
 /// The truth of the case, and words for people; whether it was computed.
@@ -118,7 +124,7 @@ Case foreign_case(const std::shared_ptr<const Held>& held) {
                            [&](const Switch& at) { return at.t >= from && at.t <= to; });
       return between;
     };
-  c.entrants = enroll_isolated(c.problem);
+  c.entrants = enroll_isolated(c.problem, given.own_solvers);
   c.facts = given.facts;
   c.truth = unknown_truth("not computed");
   c.compute_truth = [held](Case& later, const TruthBounds& bounds) {

@@ -10,6 +10,7 @@
 #include "odeum/problem/events.hpp"
 #include "odeum/problem/piece.hpp"
 #include "odeum/solvers/foreign_evaluator.hpp"
+#include "odeum/solvers/solver.hpp"
 
 namespace odeum::foreign {
 
@@ -77,6 +78,8 @@ struct ProblemCallbacks {
   std::shared_ptr<const Events> events = nullptr;
   std::vector<Switch> switches = {};  ///< ascending
   std::string no_truth = {};          ///< why none can be had; empty: one may be
+  /// What it brings to solve itself. They solve in an isolated process alone.
+  std::vector<Entrant> own_solvers = {};
 };
 
 }  // namespace odeum::foreign

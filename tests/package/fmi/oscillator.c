@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* x' = v, v' = mu (1 - x^2) v - x + a sin t as a binary of FMI 2.0, or of 3.0 with -DFMI=3: what an
- * importer for Model Exchange calls. The parameter `fault` chooses what goes wrong. */
+ * importer for Model Exchange calls, and one for co-simulation, where each communication step is one
+ * of the explicit midpoint rule. The parameter `fault` chooses what goes wrong. */
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -53,6 +54,28 @@ static int derivatives(double* d, size_t n) {
   return OK;
 }
 
+static int get_real(unsigned reference, double* value) {
+  const double* const at[] = {&self.t, &self.x, NULL, &self.v, NULL, &self.mu, &self.a};
+  if (reference >= sizeof at / sizeof *at || !at[reference]) return ERROR;
+  *value = *at[reference];
+  return OK;
+}
+
+static int midpoint_step(double t, double h) {
+  const double x = self.x, v = self.v;
+  double d[2];
+  self.t = t;
+  if (derivatives(d, 2) != OK) return ERROR;
+  self.t = t + h / 2;
+  self.x = x + h / 2 * d[0];
+  self.v = v + h / 2 * d[1];
+  if (derivatives(d, 2) != OK) return ERROR;
+  self.t = t + h;
+  self.x = x + h * d[0];
+  self.v = v + h * d[1];
+  return OK;
+}
+
 /* The unknowns are der(x) and der(v), the known is x or v. */
 static int directional(const unsigned* unknown, size_t unknowns, const unsigned* known,
                        size_t knowns, const double* seed, double* out) {
@@ -80,6 +103,25 @@ EXPORT void* fmi3InstantiateModelExchange(const char* name, const char* token,
   if (strcmp(token, "{oscillator}") == 0) return &self;
   log(environment, ERROR, "error", "the token is another");
   return NULL;
+}
+EXPORT void* fmi3InstantiateCoSimulation(const char* name, const char* token, const char* resources,
+                                         bool visible, bool logging, bool event_mode,
+                                         bool early_return, const unsigned* intermediate,
+                                         size_t n, void* environment, logger log, void* update) {
+  (void)event_mode, (void)early_return, (void)intermediate, (void)n, (void)update;
+  return fmi3InstantiateModelExchange(name, token, resources, visible, logging, environment, log);
+}
+EXPORT int fmi3DoStep(void* s, double t, double h, bool no_return, bool* event, bool* terminate,
+                      bool* early, double* reached) {
+  (void)s, (void)no_return;
+  *event = *terminate = *early = false;
+  *reached = t + h;
+  return midpoint_step(t, h);
+}
+EXPORT int fmi3GetFloat64(void* s, const unsigned* references, size_t n, double* values,
+                          size_t n_values) {
+  (void)s;
+  return n == 1 && n_values == 1 ? get_real(*references, values) : ERROR;
 }
 EXPORT int fmi3EnterInitializationMode(void* s, bool defined, double tolerance, double start,
                                        bool ends, double stop) {
@@ -145,9 +187,17 @@ EXPORT const char* fmi2GetVersion(void) { return "2.0"; }
 EXPORT void* fmi2Instantiate(const char* name, int type, const char* guid, const char* resources,
                              const callbacks* back, int visible, int logging) {
   (void)resources, (void)visible, (void)logging;
-  if (type == 0 && strcmp(guid, "{oscillator}") == 0) return &self;
+  if ((type == 0 || type == 1) && strcmp(guid, "{oscillator}") == 0) return &self;
   back->log(back->environment, name, ERROR, "error", "the guid %s is another", guid);
   return NULL;
+}
+EXPORT int fmi2DoStep(void* s, double t, double h, int no_return) {
+  (void)s, (void)no_return;
+  return midpoint_step(t, h);
+}
+EXPORT int fmi2GetReal(void* s, const unsigned* references, size_t n, double* values) {
+  (void)s;
+  return n == 1 ? get_real(*references, values) : ERROR;
 }
 EXPORT int fmi2SetupExperiment(void* s, int defined, double tolerance, double start, int ends,
                                double stop) {
