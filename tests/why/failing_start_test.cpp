@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 #include "odeum/cases/set_problem.hpp"
 #include "odeum/why/why.hpp"
@@ -33,6 +34,8 @@ TEST(FailingStart, IsExplained) {
     ASSERT_NO_THROW(why = why::why(c, solver, request, 2)) << solver;
     EXPECT_NE(why.outcome.status, Status::ok) << solver;
     EXPECT_EQ(why.reached, 0) << solver;
+    for (const why::Finding& finding : why.findings)
+      EXPECT_EQ(finding.text.find("nan"), std::string::npos) << solver << ": " << finding.text;
   }
 }
 

@@ -100,11 +100,13 @@ void look_at_steps(Inquiry& q) {
     return finding.cause != Cause::accuracy && finding.cause != Cause::stability &&
            finding.cause != Cause::events;
   });
-  if (q.run.outcome.status == Status::newton_failed && !explained)
-    q.add(Cause::newton, nan, q.run.ends.back(),
-          fmt::format(
-              "the equations of a step are not solved at t = {:.6g}, down to a step of {:.2g}",
-              q.run.ends.back(), q.run.step_at(q.run.ends.back())));
+  if (q.run.outcome.status == Status::newton_failed && !explained) {
+    const double end = q.run.ends.back(), step = q.run.step_at(end);  // NaN: none was made
+    q.add(Cause::newton, nan, end,
+          fmt::format("the equations of {} step are not solved at t = {:.6g}{}",
+                      std::isnan(step) ? "the first" : "a", end,
+                      std::isnan(step) ? "" : fmt::format(", down to a step of {:.2g}", step)));
+  }
   if (q.run.ok()) {
     const bool missed = q.found(Cause::pulse) || q.found(Cause::aliasing);
     if (!missed && !q.found(Cause::absolute)) look_for_growth_from_below(q);
