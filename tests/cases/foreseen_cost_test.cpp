@@ -36,6 +36,16 @@ TEST(ForeseenCost, IsThatOfTheStepsThatAreLeft) {
   EXPECT_NEAR(std::stod(found[1]), 0.5 * all / before, 0.05 * all / before);  // two digits
 }
 
+// An explicit method whose steps are bound by stability goes on as it went.
+TEST(ForeseenCost, OfExplicitMethodsIsThatOfTheTimeThatIsLeft) {
+  truth::Reference reference = spent_at(4e8);
+  reference.is_explicit = true;
+  cases::foresee_cost(tests::find_case("robertson"), reference);
+  EXPECT_EQ(reference.end,
+            "the work is spent; to the end it would take about 8.3 hours, since 0.001 of the time "
+            "4e+11 lies up to t = 4e+08, as far as 30 s went");
+}
+
 TEST(ForeseenCost, IsNotSaidWhereNothingWasSpentOrNoRunComesToTheEnd) {
   truth::Reference whole = spent_at(std::numeric_limits<double>::infinity());
   cases::foresee_cost(tests::find_case("robertson"), whole);

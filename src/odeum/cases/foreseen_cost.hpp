@@ -6,8 +6,9 @@
 namespace odeum::cases {
 
 /// Where the computation of a truth was cut short, adds to `end` how long it would take to the last
-/// stop: its seconds, times how many more steps an own method takes to there.
-/// Nothing where that run fails or takes more than a fifth of these seconds.
+/// stop. Explicit methods come that far on stiff problems by steps of one length, so that their
+/// seconds are those of the time that is left; of implicit ones, by the steps that an own method
+/// takes, where that comes to the end within a fifth of the seconds.
 void foresee_cost(const Case& c, truth::Reference& reference);
 
 }  // namespace odeum::cases

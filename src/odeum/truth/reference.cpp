@@ -253,6 +253,7 @@ class Search {
     if (best.spent && best.known == std::min(best.a.states.size(), best.b.states.size()))
       r.spent_at = static_cast<double>(t0_ + std::min(best.a.reached, best.b.reached));
     r.seconds = best.seconds;
+    r.is_explicit = family_.first != radau_run;
     const Real first = best.a.ends_at, second = best.b.ends_at, margin = 1e-6L * elapsed_.back();
     if (std::isfinite(first) && std::abs(first - second) <= margin)
       r.ends_at = static_cast<double>(t0_ + std::max(first, second) + margin);

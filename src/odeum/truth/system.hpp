@@ -220,8 +220,9 @@ struct Reference {
   /// in `seconds`; not kept.
   double spent_at = std::numeric_limits<double>::infinity();
   double seconds = 0;
-  std::string methods;      ///< which two, in words
-  double disagreement = 0;  ///< largest over the times, of a component over its unit
+  bool is_explicit = false;  ///< both methods are; not kept
+  std::string methods;       ///< which two, in words
+  double disagreement = 0;   ///< largest over the times, of a component over its unit
 };
 
 /// The exact states at the times (ascending) to as many digits as two methods agree on. The
