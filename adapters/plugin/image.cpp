@@ -170,8 +170,11 @@ Plugin::Plugin(std::string path) : path_(std::move(path)), state_(state_of(path_
 std::shared_ptr<Plugin> Plugin::open(const std::string& path) {
   auto memory = std::make_unique<isolated::SharedMemory>(most_bytes);
   std::shared_ptr<Plugin> plugin(new Plugin(path));
-  const auto [ended, fault] =
-      isolated::text_isolated([&] { return describe(path, memory->get()); });
+  // An interpreter that imports its packages took 8 s on a machine with much else to do.
+  constexpr std::size_t room = 2000;
+  const double patience = 10 * isolated::longest_silence();
+  const auto [ended, fault] = isolated::text_isolated([&] { return describe(path, memory->get()); },
+                                                      room, patience, patience);
   if (!fault.empty()) throw LoadError(fault);
   memory->seal();
   // Kept as long as the program: cases point into it.

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "odeum/isolated/loaded_processes.hpp"
 #include "odeum/plugin.h"
 
 namespace odeum::adapters::plugin {
@@ -20,6 +21,8 @@ class Plugin : public std::enable_shared_from_this<Plugin> {
   /// The description itself, in a process of its own. Throws LoadError where it cannot be loaded,
   /// or the file is not the one of which the image was made.
   const odeum_plugin& loaded() const;
+  /// Processes that have it loaded, for its solvers.
+  isolated::LoadedProcesses& processes() const { return processes_; }
   /// The problem with functions that call those of the loaded one. It keeps the plug-in.
   struct Linked;
   std::shared_ptr<const Linked> problem(std::size_t number) const;
@@ -29,6 +32,7 @@ class Plugin : public std::enable_shared_from_this<Plugin> {
   std::string path_, state_;  ///< state_: tells the file from another one in its place
   const odeum_plugin* image_ = nullptr;
   mutable const odeum_plugin* loaded_ = nullptr;
+  mutable isolated::LoadedProcesses processes_;
 };
 
 struct Plugin::Linked {

@@ -10,6 +10,7 @@
 
 #include "odeum/isolated/isolated_process.hpp"
 #include "odeum/isolated/kept_arithmetic.hpp"
+#include "odeum/isolated/loaded_processes.hpp"
 #include "odeum/solvers/dense_jacobian.hpp"
 #include "odeum/solvers/foreign_problem.hpp"
 
@@ -252,14 +253,15 @@ Solver solver_of(const std::shared_ptr<const Plugin>& plugin, std::size_t number
   return {std::move(info), [plugin, number](const ErasedContest& contest, Entrant& entrant) {
             entrant.unfit = unfit(plugin->image().solvers[number], contest.view);
             if (!entrant.unfit.empty()) return;
-            const auto ended = std::make_shared<isolated::Ended>();
-            entrant.solve = [plugin, number, contest, ended](const Request& request) {
-              return isolated::solve_isolated(
-                  [&](const Request& inner) {
-                    const isolated::KeptArithmetic kept;
-                    return Solve(plugin->loaded().solvers[number], contest, inner)();
-                  },
-                  request, contest.view.dimension, *ended);
+            const isolated::LoadedWork work{
+                contest.y0, contest.view.dimension, [plugin] { plugin->loaded(); },
+                [plugin, contest](std::size_t solver, const Request& inner) {
+                  const isolated::KeptArithmetic kept;
+                  return Solve(plugin->loaded().solvers[solver], contest, inner)();
+                }};
+            entrant.solve = [plugin, number, work,
+                             ended = std::make_shared<isolated::Ended>()](const Request& request) {
+              return plugin->processes().solve(work, number, request, *ended);
             };
           }};
 }

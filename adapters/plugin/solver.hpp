@@ -12,7 +12,7 @@ namespace odeum::adapters::plugin {
 /// What is wrong with the description, in a sentence; empty where nothing is.
 std::string fault_of(const odeum_solver& solver);
 
-/// A solver of the plug-in; each solve is made in a process of its own, which loads it.
+/// A solver of the plug-in; each solve is made in a copy of a process that has loaded it.
 Solver solver_of(const std::shared_ptr<const Plugin>& plugin, std::size_t number);
 
 }  // namespace odeum::adapters::plugin

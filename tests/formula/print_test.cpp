@@ -35,7 +35,7 @@ void expect_fault(const std::string& cases, const std::string& place, const std:
 
 TEST(CaseTexts, MistakesHaveTheirPlace) {
   expect_fault("cases: {a-b: {floor: 1}}\n", "5:9: ", "not a name");
-  expect_fault("cases: {d: {reference: kepler_e06}}\n", "5:24: ", "d: floor");
+  expect_fault("cases: {d: {reference: kepler_e06}}\n", "5:24: ", "floor: got none");
   expect_fault("cases: {d: {referense: r}}\n", "5:13: ", "did you mean reference?");
   expect_fault("cases: {d: {reference: r, floor: 1}}\n", "5:24: ", "no reference r");
   expect_fault("case: {nature: soft}\n", "5:16: ", "expected smooth, stiff or chaotic");

@@ -5,14 +5,14 @@
 tests/fuzz/campaign.py [--minutes M | --seconds S] [--seed N] [--program FILE] [--kind KIND]... [--keep DIR]
 
 An hour by `tests/fuzz/campaign.py --minutes 60`; the test `fuzz` takes 60 s. Kinds: text, table (of a text), scene, mesh, members,
-tableau, model (an FMU), species (SBML), network, brought (trajectories that `judge` reads), folder (that `compare` reads), plan, part,
+tableau, model (an FMU), species (SBML), network, brought (trajectories that `judge` reads), folder and archive (that `compare` reads), plan, part,
 cache, signal. A file of each is damaged (bytes, spans, lines, numbers, words), and commands read it. Each
 has to end with an exit code of the contract, by itself or within 5 s of a SIGTERM that comes after 10 s, with at most 4 GB of
 memory, without a word of an abort, and with nothing left in its working folder, its temporary folder, and, of what is
 unfinished, in its cache. A damaged plan or part is refused, or gives the same rows; a damaged cache gives the same output. By
 `signal` commands that read no damaged file are ended at a random time. The input of a failure is kept in DIR (fuzz-failures).
 Exit code 1 where something failed. Needs the standard library alone."""
-import argparse, io, os, pathlib, random, re, resource, shutil, signal, subprocess, sys, tempfile, time, zipfile
+import argparse, gzip, io, os, pathlib, random, re, resource, shutil, signal, subprocess, sys, tarfile, tempfile, time, zipfile
 
 from damage import damaged, decay, files_of_kinds, root
 
@@ -149,11 +149,42 @@ class Campaign:
         name = self.rng.choice(["euler_h0.5.csv", "a.npy", "b.txt"])
         self.run(["judge", "decay.yaml", self.file("brought", name), *self.rng.choice([[], ["--claims", "heun"], ["--map", "x=1"]])])
 
-    def folder(self):
-        """Two folders of one study, of which a file of the second is damaged."""
+    def make_before(self):
         if not (self.base / "before").exists():
             self.run(["converge", "--case", "free_fall", "--solver", "heun", "--quick", "--out", "out"], codes=(0,))
             shutil.move(self.place / "out", self.base / "before")
+
+    def archive(self):
+        """The archive of results: damaged, or with damaged tables, or with what none has; the last is refused."""
+        self.make_before()
+        shutil.copytree(self.base / "before", self.place / "before")
+        paths = [path for path in (self.place / "before").iterdir() if path.suffix in (".csv", ".json")]
+        files = {path.name: path.read_bytes() for path in paths}
+        how, packed = self.rng.choice(["bytes", "tar", "table", "hostile"]), io.BytesIO()
+        if how == "table":
+            name = self.rng.choice(sorted(files))
+            files[name] = damaged(files[name], self.rng, list(files.values()))
+        with tarfile.open(fileobj=packed, mode="w", format=tarfile.USTAR_FORMAT) as tar:
+            for name, content in files.items():
+                entry = tarfile.TarInfo(name)
+                entry.size = len(content)
+                tar.addfile(entry, io.BytesIO(content))
+            if how == "hostile":
+                entry = tarfile.TarInfo(self.rng.choice(["../out.csv", "/tmp/out.csv", "a/../../out.csv", "out", "orders.csv", "a.csv/"]))
+                entry.type = self.rng.choice([tarfile.REGTYPE, tarfile.SYMTYPE, tarfile.LNKTYPE, tarfile.DIRTYPE, tarfile.FIFOTYPE])
+                entry.linkname = "/etc/passwd"
+                tar.addfile(entry)
+        tar = packed.getvalue()
+        if how == "hostile" and self.rng.random() < 0.1:
+            tar = bytes(600 << 20)  # what unpacks to far more than it is
+        data = gzip.compress(damaged(tar, self.rng, [tar]) if how == "tar" else tar, compresslevel=1)
+        (self.place / "results.tar.gz").write_bytes(damaged(data, self.rng, [data]) if how == "bytes" else data)
+        self.run(["compare", "results.tar.gz", "before", *self.rng.choice([[], ["--within", "0.02"], ["--overlay"]])],
+                 codes=(2,) if how == "hostile" else (0, 1, 2))
+
+    def folder(self):
+        """Two folders of one study, of which a file of the second is damaged."""
+        self.make_before()
         for name in ("before", "after"):
             shutil.copytree(self.base / "before", self.place / name)
         file = self.rng.choice([path for path in (self.place / "after").iterdir() if path.suffix in (".csv", ".json")])
@@ -242,7 +273,7 @@ def main():
     parser.add_argument("--keep", default="fuzz-failures")
     given = parser.parse_args()
     kinds = given.kind or ["text", "table", "scene", "mesh", "members", "tableau", "model", "species", "network", "brought", "folder",
-                           "plan", "part", "cache", "signal"]
+                           "archive", "plan", "part", "cache", "signal"]
     campaign = Campaign(given.program, given.seed, given.keep)
     end = time.monotonic() + (60 * given.minutes + given.seconds or 60)
     rounds = 0

@@ -18,7 +18,7 @@ std::string shown(std::string_view line, char separator) {
 }
 
 TEST(CsvText, CellsBeginAtTheirColumnsWithoutBlanksAndQuotes) {
-  EXPECT_EQ(shown(R"(t, "x, in m" ,,3)", ','), "1:t|4:x, in m|14:|15:3|");
+  EXPECT_EQ(shown(R"(t, "x, in m" ,,3)", ','), "1:t|4:x, in m|15:|16:3|");
   EXPECT_EQ(shown("  1\t 2   3 ", ' '), "3:1|6:2|10:3|");
 }
 

@@ -6,7 +6,7 @@ import json
 import os
 import shutil
 import subprocess
-from typing import Any
+from typing import Any, Mapping
 
 
 class OdeumError(RuntimeError):
@@ -21,9 +21,10 @@ def program() -> str:
     return found
 
 
-def said(*words: str) -> Any:
+def said(*words: str, environment: Mapping[str, str] | None = None) -> Any:
     """What a command prints as JSON. Its exit code 1 is an answer (a claim that is denied, an error that is not reached)."""
-    done = subprocess.run([program(), *words, "--format", "json"], capture_output=True, text=True, check=False)
+    done = subprocess.run([program(), *words, "--format", "json"], capture_output=True, text=True, check=False,
+                          env={**os.environ, **(environment or {})})
     try:
         return json.loads(done.stdout)
     except json.JSONDecodeError:

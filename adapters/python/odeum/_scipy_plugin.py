@@ -4,6 +4,7 @@
 Evaluations and errors are exact; times are those of Python, with a compiled right-hand side.
 """
 import ctypes as c
+import gc
 import warnings
 
 import numpy as np
@@ -152,3 +153,4 @@ SOLVERS = [
 ]
 LISTED = (Solver * len(SOLVERS))(*SOLVERS)
 PLUGIN = Plugin(2, b"scipy", len(SOLVERS), LISTED, 0, None)
+gc.freeze()  # solves are made in copies of this process, whose memory the collector would touch

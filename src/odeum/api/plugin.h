@@ -8,8 +8,9 @@
  * stays valid. Names are of a-z, 0-9 and _. Times and states are double, states have `dimension`
  * numbers, matrices are row-major unless it is said otherwise. Callbacks that return int return 0
  * on success. A solver's step() or solve() that returns another number ends its run as `refused`,
- * with that number in its detail. Every solve is made in a process of its own: what is changed there
- * is not seen by another solve, and no two threads of a process call back at once.
+ * with that number in its detail. Every solve is made in a process of its own, a copy (fork) of one
+ * that has called odeum_plugin_entry: what is changed there is not seen by another solve, and no two
+ * threads of a process call back at once.
  */
 #ifndef ODEUM_PLUGIN_H
 #define ODEUM_PLUGIN_H

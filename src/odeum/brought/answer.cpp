@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "odeum/brought/judgement.hpp"
@@ -62,7 +63,9 @@ std::string text_of(const Judgement& judgement, const Case& c) {
                                        100 * file.outside));
     }
     text += text_of_lag(files.back());
-    text += record::table_of(files, FileRow::shown).text();
+    const bool alone = std::ranges::none_of(
+        files, [](double rows) { return rows > 0; }, &FileRow::rows);
+    text += record::table_of(files, alone ? FileRow::shown_alone : FileRow::shown).text();
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "odeum/brought/errors_of_file.hpp"
+#include "odeum/brought/row_to_row.hpp"
 #include "odeum/judge/errors.hpp"
 
 namespace odeum::brought {
@@ -119,7 +120,49 @@ void add_sentence(std::string& text, const std::string& sentence) {
   if (!sentence.empty()) text += (text.empty() ? "" : "; ") + sentence;
 }
 
-SeriesRow row_of_series(const Case& c, const Series& series, const std::vector<FileRow>& files,
+/// Where no truth is known: the order with which the errors fall that rows gain over the rows
+/// before them. It says that the steps are the problem's, and nothing of where the run ends.
+void judge_by_itself(const Case& c, const Series& series, std::vector<FileRow>& files,
+                     const Claim& claim, SeriesRow& row) {
+  std::vector<judge::ErrorPoint> points;
+  std::string invariant;
+  const std::vector<std::vector<std::size_t>> near = rows_of_near_states(c, series);
+  for (std::size_t r = 0; r < files.size(); ++r) {
+    const RowToRow found = row_to_row(c, *series.runs[r], near[r]);
+    files[r].gain = found.gain;
+    files[r].change = found.change;
+    invariant = found.invariant;
+    if (found.rows > 0)
+      points.push_back({.step = files[r].step,
+                        .error = found.gain,
+                        .steps = static_cast<double>(series.runs[r]->rows() - 1),
+                        .rounding_unit = found.written /
+                                         std::sqrt(static_cast<double>(series.runs[r]->rows() - 1)),
+                        .scale = 1});
+  }
+  row.verdict = Verdict::undetermined;
+  row.reason = "no truth is known at the times of the files";
+  if (points.empty()) return;
+  const judge::OrderFit fit = order_of(points, claim.order, false);
+  row.verdict = std::isnan(claim.order) ? Verdict::not_applicable : fit.verdict;
+  row.measured_order = fit.order;
+  row.order_low = fit.low;
+  row.order_high = fit.high;
+  row.reason +=
+      "; each row is held against the solution from the row before, which shows whether the steps "
+      "are the problem's, and not whether the end is right: the error gained by the unit of time ";
+  row.reason += std::isnan(fit.order)
+                    ? fmt::format("is {:.2g} ({})", points.back().error, fit.reason)
+                    : fmt::format("falls with order {:.2f}", fit.order);
+  if (std::isfinite(row.own_order))
+    row.reason += fmt::format("; the files differ among themselves by what falls with order {:.2f}",
+                              row.own_order);
+  if (!invariant.empty())
+    row.reason += fmt::format("; {} changes by {:.2g} of its size in the finest", invariant,
+                              files.back().change);
+}
+
+SeriesRow row_of_series(const Case& c, const Series& series, std::vector<FileRow>& files,
                         const Claim& claim, double scale) {
   SeriesRow row;
   row.series = series.runs.front()->series;
@@ -142,8 +185,7 @@ SeriesRow row_of_series(const Case& c, const Series& series, const std::vector<F
   }
   row.own_order = own_order(c, series);
   if (points.empty()) {
-    row.verdict = Verdict::undetermined;
-    row.reason = "no truth is known at the times of the files";
+    judge_by_itself(c, series, files, claim, row);
   } else if (!series.common) {
     row.verdict = Verdict::undetermined;
     row.reason = "the files have no time in common, so that their errors give no order";

@@ -36,13 +36,18 @@ struct FileRow {
   double aside = nan;         ///< the error there that such a shift in time leaves
   double energy_error = nan;  ///< the largest, over the largest energy of the truth
   double outside = nan;       ///< the share of the times outside of the tube
-  std::string remarks;        ///< sentences on how the file was read
+  /// Where no truth is known, see RowToRow: the error that a row gains, by the unit of time, and by
+  /// how much an invariant changes.
+  double gain = nan, change = nan;
+  std::string remarks;  ///< sentences on how the file was read
 
   static constexpr const char* file = "files.csv";
   static constexpr const char* shown =
       "path step:.4g status error:.2e error_time:.4g component leaves_at:.4g energy_error:.1e";
+  /// Where no truth is known.
+  static constexpr const char* shown_alone = "path step:.4g status gain:.2e change:.1e";
   ODEUM_COLUMNS(series, path, status, step, rows, end, error, error_time, component, written,
-                leaves_at, lag, aside, energy_error, outside, remarks)
+                leaves_at, lag, aside, energy_error, outside, gain, change, remarks)
 };
 
 /// What became of a claim.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cases/set_problem.hpp"
 
+#include "odeum/isolated/loaded_processes.hpp"
 #include "odeum/solvers/own_methods.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 #include "odeum_adapters_solvers.hpp"  // generated: solvers.hpp of every library that is built in
@@ -31,6 +32,16 @@ Entrants enroll(const ErasedContest& contest, const Entrants::Finish& also) {
             };
             if (also) also(e);
           }};
+}
+
+Entrants enroll_unchanging(const ErasedContest& contest, const Entrants::Finish& also) {
+  return enroll(contest, [also](Entrant& e) {
+    e.solve = [solve = std::move(e.solve)](const Request& request) {
+      const isolated::Unchanging unchanging;
+      return solve(request);
+    };
+    if (also) also(e);
+  });
 }
 
 }  // namespace cases

@@ -14,6 +14,10 @@ namespace odeum::cases {
 /// called. `also` is called on each entrant that fits.
 Entrants enroll(const ErasedContest& contest, const Entrants::Finish& also = {});
 
+/// The same of a problem that nothing changes between solves: a library that is slow to load is
+/// loaded once for it (isolated/loaded_processes.hpp).
+Entrants enroll_unchanging(const ErasedContest& contest, const Entrants::Finish& also = {});
+
 /// A problem whose right-hand side (acceleration, of second order) is written for any real type.
 template <class P>
 concept InExtendedPrecision = Ode<P> &&(
@@ -50,7 +54,7 @@ void set_problem(Case& c, P problem, std::shared_ptr<const scene::Scene> scene =
   if constexpr (InExtendedPrecision<P>)
     c.extended =
         std::make_shared<const ExtendedProblem>(in_extended_precision<P>(contest.problem, c.y0));
-  c.entrants = enroll(c.problem);
+  c.entrants = enroll_unchanging(c.problem);
   if constexpr (WithEnergy<P>)
     c.energy = [p = contest.problem](const double* y) { return p->energy(y); };
 }

@@ -71,7 +71,6 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     if (problem_.scale.empty() && !c.units.scale.empty())
       c.facts.push_back(units_fact(c.units, problem_.states, problem_.tolerance.relative == 0));
   }
-
   void add_parameters() {
     const std::vector<Item> meanings = mapping("meanings");
     for (const std::string& name : offered_) {
@@ -144,7 +143,8 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
                        formula::implicit_form(problem_)};
       add_invariants(problem_, case_);
     }
-    if (take_changes(problem_, case_) || !file_.printed) case_.entrants = enroll(case_.problem);
+    if (take_changes(problem_, case_) || !file_.printed)
+      case_.entrants = enroll_unchanging(case_.problem);
     const formula::Structure& s = analysis_->structure;
     case_.nature.linear = s.linear, case_.nature.autonomous = s.autonomous;
     if (s.second_order && offers.second_order) {
@@ -229,7 +229,7 @@ class TextCase : CaseText, public std::enable_shared_from_this<TextCase> {
     require_code();
     along_ = along_of(ode_);
     if (along_ && along_->slides_from < problem_.stops.back())
-      case_.entrants = enroll(case_.problem, bound_by_sliding(along_->slides_from));
+      case_.entrants = enroll_unchanging(case_.problem, bound_by_sliding(along_->slides_from));
     if (along_ && problem_.scale.empty() && !has("thresholds"))
       take_units(case_, proposed_units(*along_), problem_.tolerance.relative == 0);
   }

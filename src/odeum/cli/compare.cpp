@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "odeum/cli/session.hpp"
+#include "odeum/compare/overlay.hpp"
 #include "odeum/compare/times.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/record/output_folder.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 struct CompareOptions {
   std::string before, after, format = "table", allow, out;
-  bool commands = false;
+  bool commands = false, overlay = false;
   std::size_t pairs = 25;
   double slower = 0.03, within = 0;
 };
@@ -66,6 +67,29 @@ int compare_results(const CompareOptions& options) {
   return differences.has_regression() ? check_failed : success;
 }
 
+/// Lays solvers over results that lack them, and compares exactly what both have.
+int lay_over(const CompareOptions& options) {
+  std::optional<record::OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
+  compare::Overlay overlay;
+  compare::Differences differences;
+  try {
+    const compare::ResultSet before(options.before), after(options.after);
+    overlay = compare::overlay_of(before, after);
+    differences = compare::compare_common(before, after, lines_of(options.allow), options.within);
+    overlay.differences = differences.rows;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  print(options.format == "json" ? record::json_of(overlay)
+        : options.format == "csv"
+            ? record::csv_text(overlay.rows)
+            : text_of(differences) + fmt::format("speed   {}\n", overlay.speed) +
+                  record::table_of(overlay.rows, compare::OverlayRow::shown).text());
+  if (folder) record::write(overlay, *folder);
+  return differences.has_regression() ? check_failed : success;
+}
+
 int compare_commands(const CompareOptions& options) {
   constexpr std::size_t fewest = 11, most = 1000;
   if (options.pairs < fewest || options.pairs > most)
@@ -102,7 +126,8 @@ void add_compare(CLI::App& app, int& result) {
       "compare",
       "what has changed between two folders of results, exactly; or, with --commands, which of two "
       "commands takes less time");
-  add_option(*command, "before OLD", options->before, "a folder that a command wrote with --out")
+  add_option(*command, "before OLD", options->before,
+             "a folder that a command wrote with --out, or the results.tar.gz of a report")
       ->required();
   add_option(*command, "after NEW", options->after, "that of the newer version")->required();
   command->add_flag("--commands", options->commands,
@@ -115,13 +140,19 @@ void add_compare(CLI::App& app, int& result) {
   add_option(*command, "--within PART", options->within,
              "numbers may differ by that part, and folders of another machine are compared; "
              "default: {}");
+  command->add_flag("--overlay", options->overlay,
+                    "lay the solvers that NEW alone has over those of OLD, at equal errors, and "
+                    "compare what both have, whatever their machines: times are a hint");
   add_option(*command, "--allow FILE", options->allow,
              "lines of globs on table, run, column and change (trailing ones may be left out) of "
              "differences that are not regressions");
   add_format(*command, options->format);
-  add_option(*command, "--out DIR", options->out, "folder for differences.csv");
+  add_option(*command, "--out DIR", options->out,
+             "folder for differences.csv, and with --overlay for overlay.csv");
   command->callback([options, &result] {
-    result = options->commands ? compare_commands(*options) : compare_results(*options);
+    result = options->commands  ? compare_commands(*options)
+             : options->overlay ? lay_over(*options)
+                                : compare_results(*options);
   });
 }
 

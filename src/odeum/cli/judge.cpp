@@ -18,7 +18,7 @@ namespace {
 
 struct JudgeOptions {
   std::string what, format = "table", out, claims, tube;
-  std::vector<std::string> files, columns;
+  std::vector<std::string> files, columns, solvers;
   std::vector<double> steps;
   double order = nan;
   ProblemOptions problems;
@@ -117,9 +117,30 @@ std::vector<trajectories::CaseRun> page_runs(const Case& c,
   return shown_runs;
 }
 
+/// Runs of known solvers at the step, and with the outputs, of the finest file that has one.
+void add_known(const Case& c, const std::vector<std::string>& solvers,
+               std::vector<trajectories::CaseRun>& runs) {
+  if (solvers.empty()) return;
+  const auto finest = std::ranges::max_element(
+      runs, {}, [](const trajectories::CaseRun& run) { return run.request.steps; });
+  if (finest == runs.end() || finest->request.steps == 0)
+    throw UsageError("--solver: no file has a known step at which the solvers could run");
+  const Request request = finest->request;
+  for (const std::string& word : solvers) {
+    const std::string id = with_library(word);
+    const Entrant* const entrant = c.entrants.find(id);
+    if (!entrant || !entrant->unfit.empty() || !entrant->info.fixed)
+      throw UsageError("--solver: {} {}", shown(id),
+                       !entrant                 ? "is not known"
+                       : entrant->unfit.empty() ? "does not run at fixed steps"
+                                                : "does not fit: " + entrant->unfit);
+    runs.push_back({entrant, request, entrant->solve(request)});
+  }
+}
+
 void write_files(const record::OutputFolder& folder, const Case& c,
-                 const std::vector<brought::Trajectory>& runs,
-                 const brought::Judgement& judgement) {
+                 const std::vector<brought::Trajectory>& runs, const brought::Judgement& judgement,
+                 const std::vector<std::string>& solvers) {
   record::write(judgement, folder);
   trajectories::RunTexts texts{.title = c.title,
                                .lead = c.id,
@@ -135,8 +156,9 @@ void write_files(const record::OutputFolder& folder, const Case& c,
     texts.facts.emplace_back(row.series, row.reason);
   }
   std::vector<Entrant> entrants;
-  const std::vector<trajectories::CaseRun> shown_runs = page_runs(c, runs, entrants);
+  std::vector<trajectories::CaseRun> shown_runs = page_runs(c, runs, entrants);
   if (shown_runs.empty()) return;
+  add_known(c, solvers, shown_runs);
   std::vector<trajectories::RunRow> rows;
   for (const trajectories::CaseRun& run : shown_runs) rows.push_back(trajectories::row_of(c, run));
   remark_on_page(trajectories::write_case_page(folder, c, shown_runs, rows, texts));
@@ -158,7 +180,7 @@ int judge_on(Session& session, const JudgeOptions& options) {
   print(options.format == "json"  ? record::json_of(judgement)
         : options.format == "csv" ? record::csv_text(judgement.series)
                                   : brought::text_of(judgement, c));
-  if (folder) write_files(*folder, c, runs, judgement);
+  if (folder) write_files(*folder, c, runs, judgement, options.solvers);
   return judgement.passes() ? success : check_failed;
 }
 
@@ -193,6 +215,9 @@ void add_judge(CLI::App& app, Session& session, int& result) {
   add_option(*command, "--tube W[,T]", options->tube,
              "the largest error, and a shift in time that is allowed: exit code 1 where a time "
              "lies outside");
+  add_option(*command, "--solver ID...", options->solvers,
+             "with --out: known solvers beside the files on the page, at the finest of their steps")
+      ->allow_extra_args(false);
   add_format(*command, options->format);
   add_option(*command, "--out DIR", options->out,
              "folder for the files: judged.csv, files.csv, trajectory.csv and a page");

@@ -11,6 +11,7 @@
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/glob.hpp"
+#include "odeum/record/archive.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/report/text.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
@@ -141,6 +142,7 @@ void run(const Session& session, const Options& options) {
        .quick = options.quick,
        .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
   remark_on_page(written);
+  folder.write(record::archive_name, record::archive_of(folder.path()));
   const std::filesystem::path at = written ? folder.path() / "index.html" : folder.path();
   print(study::summary_text(report.facts(),
                             study::result_of<study::ConvergenceResult>(studies).orders) +

@@ -14,9 +14,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "odeum/compare/result_set.hpp"
 #include "odeum/core/glob.hpp"
-#include "odeum/input/text_file.hpp"
-#include "odeum/record/rows.hpp"
 
 namespace odeum::compare {
 namespace {
@@ -41,6 +40,16 @@ bool is_left_out(const std::string& column) {
                                            "measured", "replay"};
   for (const char* part : {"_ns", "ns_", "seconds", "wall", "speed", "time_"})
     if (column.find(part) != std::string::npos) return true;
+  return names.contains(column);
+}
+
+/// What a run is by itself, whatever else was measured.
+bool is_of_one_run(const std::string& column) {
+  static const std::set<std::string> names{
+      "status",          "verdict",   "claim",          "answer",
+      "error",           "error_max", "error_rms",      "energy_error",
+      "achieved",        "steps",     "rejected_steps", "measured_order",
+      "rhs_evaluations", "order_low", "order_high",     "jacobian_evaluations"};
   return names.contains(column);
 }
 
@@ -89,32 +98,27 @@ Change change_of(const std::string& column, const std::string& before, const std
   return (*is > *was) == is_worth(column) ? Change::better : Change::worse;
 }
 
-Json manifest_of(const std::filesystem::path& folder) {
-  const std::optional<std::string> text = text_of_file(folder / "manifest.json");
-  Json manifest = text ? Json::parse(*text, nullptr, false) : Json();
-  if (!manifest.is_object())
-    throw std::invalid_argument(
-        fmt::format("{}: got no manifest.json, expected a folder that a command of Odeum wrote "
-                    "with --out",
-                    folder.string()));
-  return manifest;
-}
-
 std::string text_of(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// Throws where what decides the bits of results differs.
-void require_same_conditions(const Json& before, const Json& after, bool any_machine) {
+/// Sentences on what differs of all that decides the bits of results, the options first.
+std::vector<std::string> other_conditions(const Json& before, const Json& after) {
+  std::vector<std::string> others;
   for (const char* key : {"/options", "/cpu", "/build/compiler", "/build/type", "/build/flags"}) {
-    if (any_machine && std::string_view(key) != "/options") break;
     const Json::json_pointer at(key);
     const Json was = before.value(at, Json()), is = after.value(at, Json());
     if (was != is)
-      throw std::invalid_argument(
-          fmt::format("the folders can't be compared: {} is {} in the first and {} in the second",
-                      std::string(key).substr(1), text_of(was), text_of(is)));
+      others.push_back(fmt::format("{} is {} in the first and {} in the second",
+                                   std::string(key).substr(1), text_of(was), text_of(is)));
   }
+  return others;
+}
+
+void require_same_conditions(const Json& before, const Json& after, bool any_machine) {
+  const std::vector<std::string> others = other_conditions(before, after);
+  if (!others.empty() && (!any_machine || others.front().starts_with("options")))
+    throw std::invalid_argument("the folders can't be compared: " + others.front());
 }
 
 void note_versions(const Json& before, const Json& after, std::vector<std::string>& versions) {
@@ -232,29 +236,45 @@ bool Differences::has_regression() const {
   });
 }
 
-Differences compare_folders(const std::filesystem::path& before, const std::filesystem::path& after,
-                            const std::vector<std::string>& allowed, double within) {
+namespace {
+
+Differences compare_tables_of(const ResultSet& older, const ResultSet& newer,
+                              const std::vector<std::string>& allowed, double within) {
   Differences differences;
-  const Json was = manifest_of(before), is = manifest_of(after);
-  require_same_conditions(was, is, within > 0);
-  note_versions(was, is, differences.versions);
-  std::set<std::string> tables;
-  for (const auto& entry : std::filesystem::directory_iterator(before))
-    if (const std::string name = entry.path().filename().string();
-        name.ends_with(".csv") || name.ends_with(".csv.gz"))
-      tables.insert(name);
-  for (const std::string& table : tables) {
-    if (!std::filesystem::exists(after / table)) continue;
+  note_versions(older.manifest(), newer.manifest(), differences.versions);
+  for (const std::string& table : older.tables()) {
+    if (!newer.tables().contains(table)) continue;
+    const Records was = older.table(table), is = newer.table(table);
+    require_same_schema(table, was, is);
     ++differences.tables;
-    compare_tables(table, record::read_records(before, table), record::read_records(after, table),
-                   within, differences);
+    compare_tables(table, was, is, within, differences);
   }
   if (differences.tables == 0)
     throw std::invalid_argument(
-        fmt::format("{} and {} have no table in common", before.string(), after.string()));
+        fmt::format("{} and {} have no table in common", older.name(), newer.name()));
   for (DifferenceRow& row : differences.rows)
     for (const std::string& line : allowed)
       if (row.allowed.empty() && allows(line, row)) row.allowed = line;
+  return differences;
+}
+
+}  // namespace
+
+Differences compare_folders(const std::filesystem::path& before, const std::filesystem::path& after,
+                            const std::vector<std::string>& allowed, double within) {
+  const ResultSet older(before), newer(after);
+  require_same_conditions(older.manifest(), newer.manifest(), within > 0);
+  return compare_tables_of(older, newer, allowed, within);
+}
+
+Differences compare_common(const ResultSet& before, const ResultSet& after,
+                           const std::vector<std::string>& allowed, double within) {
+  Differences differences = compare_tables_of(before, after, allowed, within);
+  std::erase_if(differences.rows, [](const DifferenceRow& row) {
+    return row.quantity.empty() || !is_of_one_run(row.quantity);
+  });
+  for (const std::string& other : other_conditions(before.manifest(), after.manifest()))
+    differences.versions.push_back(other);
   return differences;
 }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "odeum/compare/result_set.hpp"
 #include "odeum/core/numbers.hpp"
 #include "odeum/record/row.hpp"
 
@@ -47,8 +48,14 @@ struct Differences {
 /// other machines and compilers are compared. `allowed`: lines of four globs, `table run quantity
 /// change`, of which trailing ones may be left out. Throws std::invalid_argument where the folders
 /// can't be compared: no manifest.json, other options, another processor or other flags of the
-/// compiler, or no table in both; and record::FileError for a file that can't be read.
+/// compiler, another version of a table, or no table in both; and record::FileError for a file that
+/// can't be read. Each may be the archive of a folder (record/archive.hpp).
 Differences compare_folders(const std::filesystem::path& before, const std::filesystem::path& after,
                             const std::vector<std::string>& allowed, double within = 0);
+
+/// The same of what runs that both have are by themselves, errors, counts and verdicts, whatever
+/// machine and options they are of: `versions` names these where they differ.
+Differences compare_common(const ResultSet& before, const ResultSet& after,
+                           const std::vector<std::string>& allowed, double within);
 
 }  // namespace odeum::compare

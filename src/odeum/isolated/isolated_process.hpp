@@ -40,9 +40,10 @@ Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, cons
 
 /// work() in a process of its own: its text, of which at most `room` bytes come back, and true; or
 /// false and a sentence that says how the process ended. It is ended after `seconds`, and where it
-/// shows no sign of work.
+/// shows no sign of work for `silence`.
 std::pair<bool, std::string> text_isolated(const std::function<std::string()>& work,
                                            std::size_t room = 2000,
-                                           double seconds = longest_silence());
+                                           double seconds = longest_silence(),
+                                           double silence = longest_silence());
 
 }  // namespace odeum::isolated

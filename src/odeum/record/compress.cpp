@@ -15,7 +15,8 @@ constexpr std::size_t piece = std::size_t{1} << 16U;
 
 /// Calls `step` (deflate or inflate, to its end) with pieces of the input and collects the output.
 template <class Step>
-int pump(z_stream& stream, std::string_view input, std::string& output, Step&& step) {
+int pump(z_stream& stream, std::string_view& input, std::string& output, std::size_t most,
+         Step&& step) {
   std::string buffer(piece, '\0');
   int state = Z_OK;
   do {
@@ -29,7 +30,7 @@ int pump(z_stream& stream, std::string_view input, std::string& output, Step&& s
     stream.avail_out = static_cast<uInt>(piece);
     state = step(stream, input.empty());
     output.append(buffer, 0, piece - stream.avail_out);
-  } while (state == Z_OK);
+  } while (state == Z_OK && output.size() <= most);
   return state;
 }
 
@@ -40,7 +41,7 @@ std::string gzip_of(std::string_view text) {
   if (::deflateInit2(&stream, 6, Z_DEFLATED, gzip_format, 8, Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::bad_alloc();
   std::string bytes;
-  pump(stream, text, bytes,
+  pump(stream, text, bytes, std::string::npos,
        [](z_stream& s, bool last) { return ::deflate(&s, last ? Z_FINISH : Z_NO_FLUSH); });
   ::deflateEnd(&stream);
   return bytes;
@@ -59,14 +60,15 @@ std::string zlib_of(std::string_view bytes) {
   return packed;
 }
 
-std::optional<std::string> text_of_gzip(std::string_view bytes) {
+std::optional<std::string> text_of_gzip(std::string_view bytes, std::size_t most) {
   z_stream stream{};
   if (::inflateInit2(&stream, gzip_format) != Z_OK) throw std::bad_alloc();
   std::string text;
   const int end =
-      pump(stream, bytes, text, [](z_stream& s, bool) { return ::inflate(&s, Z_NO_FLUSH); });
+      pump(stream, bytes, text, most, [](z_stream& s, bool) { return ::inflate(&s, Z_NO_FLUSH); });
+  const bool whole = end == Z_STREAM_END && bytes.empty() && stream.avail_in == 0;
   ::inflateEnd(&stream);
-  if (end != Z_STREAM_END) return std::nullopt;
+  if (!whole || text.size() > most) return std::nullopt;
   return text;
 }
 

@@ -13,7 +13,9 @@ std::string gzip_of(std::string_view text);
 /// Bytes compressed by zlib, as PNG files and scripts of pages hold them. Throws std::bad_alloc.
 std::string zlib_of(std::string_view bytes);
 
-/// The text of a .gz file; empty where it is damaged or cut off.
-std::optional<std::string> text_of_gzip(std::string_view bytes);
+/// The text of a .gz file; nothing where it is damaged, cut off or followed by something else, or
+/// where the text has more than `most` bytes.
+std::optional<std::string> text_of_gzip(std::string_view bytes,
+                                        std::size_t most = std::string_view::npos);
 
 }  // namespace odeum::record

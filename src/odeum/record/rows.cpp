@@ -7,6 +7,7 @@
 
 #include "odeum/input/text_file.hpp"
 #include "odeum/record/compress.hpp"
+#include "odeum/record/records.hpp"
 
 namespace odeum::record::detail {
 namespace {
@@ -106,7 +107,11 @@ Records read_records(const std::filesystem::path& folder, const std::string& nam
   std::optional<std::string> text = text_of_file(folder / name);
   if (text && name.ends_with(".gz")) text = text_of_gzip(*text);
   if (!text) throw FileError((folder / name).string() + ": cannot be read");
-  detail::CsvSource csv(*text);
+  return records_of(*text, (folder / name).string());
+}
+
+Records records_of(std::string_view text, const std::string& name) {
+  detail::CsvSource csv(text);
   Records records;
   records.columns = csv.columns();
   while (csv.next_row()) {
@@ -114,7 +119,7 @@ Records read_records(const std::filesystem::path& folder, const std::string& nam
     for (const std::string& column : records.columns) row.emplace_back(csv.next(column));
   }
   if (csv.broken() || records.columns.empty())
-    throw FileError((folder / name).string() + ": is not a table, or is cut off");
+    throw FileError(name + ": is not a table, or is cut off");
   return records;
 }
 

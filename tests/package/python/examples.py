@@ -44,6 +44,44 @@ assert ours.rows["status"][0] == "ok" and ours.rows.dtype.names
 assert abs(end["y0"] - theirs[0]) < 1e-10 and abs(end["y1"] - theirs[1]) < 1e-10, (end, theirs)
 assert ours.states[0]["time"][-1] == 1 and ours.states[0]["y1"][-1] == end["y1"], ours.states
 
+# What no text can say is called: the same end, counted and timed apart, from a closure with a branch and a loop.
+def brakes(stiffness):
+    def pull(t, y, drag):
+        force = 0.0
+        for _ in range(4):
+            force -= stiffness / 4 * y[0]
+        return np.array([y[1], force - (drag if y[1] > 0 else 2 * drag) * y[1]])
+    return pull
+
+
+theirs = solve_ivp(brakes(3.0), (0, 2), [1.0, 0.5], args=(0.3,), rtol=1e-11, atol=1e-11, method="DOP853").y[:, -1]
+ours = odeum.run(brakes(3.0), [1.0, 0.5], (0, 2), args=(0.3,), solver=["dormand_prince54", "cvode/bdf"], tol=1e-9)
+end = [float(ours.states[0][name][-1]) for name in ours.states[0].dtype.names[1:]]
+# The slope jumps where the velocity changes its sign, which costs both some digits of the tolerance.
+assert np.max(np.abs(end - theirs)) < 1e-6, (end, theirs)
+assert list(ours.rows["status"]) == ["ok", "ok"] and ours.rows["error_max"].max() < 1e-5, ours.rows
+assert "branches on a state" in ours.called.reason and ours.called.calls > ours.rows["rhs_evaluations"].sum() > 100, ours.called
+assert ours.called.call_ns > 0 and ours.called.passing_ns > 0 and not ours.called.raised, ours.called
+assert odeum.run("kepler_e06", solver="rk4", step=0.01).called is None
+advice = odeum.advise(brakes(3.0), [1.0, 0.5], (0, 2), args=(0.3,), error=1e-4, seconds=5)
+# A busy machine may find none in the time.
+assert (advice.error is None or advice.error <= 1e-4) and advice.called.calls > 100, advice
+
+
+def breaks_down(t, y):
+    if t > 1:
+        raise RuntimeError("no data after t = 1")
+    return [y[0] if y[0] > 0 else 0.0]
+
+
+ours = odeum.run(breaks_down, [1.0], (0, 2), solver="rk4", step=0.01)
+assert ours.rows["status"][0] != "ok" and "no data after t = 1, at t = 1.00" in ours.called.raised, ours
+try:
+    odeum.run(lambda t, y: [1.0, 2.0] if y[0] > 0 else [0.0, 0.0], [1.0], (0, 2), solver="rk4", step=0.01)
+    raise AssertionError("two rates were taken for one state")
+except ValueError as why:
+    assert "2 rates for 1 states" in str(why), why
+
 calls = iter(range(10**6))
 refused(lambda t, y: [1.0 if y[0] > 0 else 2.0, 0.0], "numpy.where")
 refused(lambda t, y: [float(y[0]), 0.0], "makes a number of a state")
