@@ -82,7 +82,7 @@ class LoadedProcesses::Process : public Worker {
   ~Process() override { stop(); }
 
   /// Whether copies can be made of it. The patience is that of a machine with much else to do.
-  bool loaded() {
+  bool loaded() const {
     char word = 0;
     const int patience = static_cast<int>(10'000 * longest_silence());
     return process_ > 0 && readable(socket_, patience) && read(socket_, &word, 1) == 1 &&
